@@ -1,0 +1,70 @@
+"""How kernels are compiled: one decorator, one cache folder per state of the kernel sources.
+
+numba's own cache does not notice that a helper in *another* file has changed, and would leave the old helper inside
+its cached caller. The cache folder is therefore named by a hash of all kernel sources.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+from numba.core import config
+
+__all__ = ["cache_folder", "kernel", "mark_compiled", "was_compiled"]
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+_KERNEL_FOLDER = Path(__file__).parent / "kernels"
+
+
+def _cache_root() -> Path:
+    if "GASBOX_CACHE" in os.environ:
+        return Path(os.environ["GASBOX_CACHE"])
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA", str(Path.home()))) / "gasbox"
+    return Path(os.environ.get("XDG_CACHE_HOME", str(Path.home() / ".cache"))) / "gasbox"
+
+
+@functools.cache
+def cache_folder() -> Path:
+    """The folder of the compiled kernels, named by a hash of all kernel sources and of numba's version."""
+    digest = hashlib.sha256(f"{numba.__version__} {sys.version_info[:2]}".encode())
+    for source in [Path(__file__), *sorted(_KERNEL_FOLDER.rglob("*.py"))]:
+        digest.update(source.name.encode())
+        digest.update(source.read_bytes())
+    return _cache_root() / f"kernels-{digest.hexdigest()[:16]}"
+
+
+def kernel(function: _Function) -> _Function:
+    """Compile `function` without fast-math (bits matter), cached, and with the GIL released."""
+    if config.DISABLE_JIT:
+        return function
+    previous = config.CACHE_DIR
+    config.CACHE_DIR = str(cache_folder())
+    try:
+        compiled: _Function = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+    finally:
+        config.CACHE_DIR = previous
+    return compiled
+
+
+def _mark() -> Path:
+    return cache_folder() / "compiled"
+
+
+def was_compiled() -> bool:
+    """Whether `mark_compiled` was reached for these kernel sources on this machine."""
+    return bool(config.DISABLE_JIT) or _mark().exists()
+
+
+def mark_compiled() -> None:
+    """Note that all kernels have been compiled and cached."""
+    if not config.DISABLE_JIT:
+        _mark().parent.mkdir(parents=True, exist_ok=True)
+        _mark().touch()

@@ -1,0 +1,34 @@
+"""Random numbers: counter-based generators, one named stream for each use.
+
+All streams are keyed by (seed, stream), so that a new use of random numbers never disturbs an old one.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+import numpy as np
+
+__all__ = ["Stream", "generator"]
+
+
+class Stream(IntEnum):
+    """Every use of random numbers, with a number that never changes."""
+
+    POSITIONS = 1
+    """Where discs are placed at the start."""
+    VELOCITIES = 2
+    """The velocities drawn at the start."""
+
+
+def generator(seed: int, stream: Stream, index: int = 0) -> np.random.Generator:
+    """The generator of one stream.
+
+    Parameters
+    ----------
+    seed : the scenario's seed, 0 <= seed < 2**63
+    stream : which use
+    index : a sub-stream, for example the number of the species
+    """
+    key = np.array([seed, (int(stream) << 32) | index], dtype=np.uint64)
+    return np.random.Generator(np.random.Philox(key=key))

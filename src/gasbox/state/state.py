@@ -1,0 +1,51 @@
+"""The gas at one moment: a structure of arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["State"]
+
+
+@dataclass
+class State:
+    """All particles at one time. Rows are in the order of ascending `id`.
+
+    Attributes
+    ----------
+    time : [time]
+    id : (n,) int64
+    species : (n,) int32, index into the scenario's species
+    mass : (n,) float64 [mass]
+    radius : (n,) float64 [length]
+    position : (n, 2) float64 [length], centres; inside the box also where it is periodic
+    velocity : (n, 2) float64 [length/time]
+    """
+
+    time: float
+    id: NDArray[np.int64]
+    species: NDArray[np.int32]
+    mass: NDArray[np.float64]
+    radius: NDArray[np.float64]
+    position: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+
+    @property
+    def count(self) -> int:
+        """Number of particles."""
+        return int(self.id.shape[0])
+
+    def copy(self) -> State:
+        """An independent copy."""
+        return State(
+            self.time,
+            self.id.copy(),
+            self.species.copy(),
+            self.mass.copy(),
+            self.radius.copy(),
+            self.position.copy(),
+            self.velocity.copy(),
+        )
