@@ -3,7 +3,7 @@
 set -eu
 
 fits() {
-    "$1" -c 'import sys; sys.exit(sys.version_info < (3, 11))' >/dev/null 2>&1
+    [ "$("$1" -c 'import sys; print(sys.version_info >= (3, 11))' 2>/dev/null)" = True ]
 }
 
 if [ -n "${PYTHON:-}" ]; then

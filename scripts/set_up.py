@@ -2,8 +2,8 @@
 
     python3 scripts/set_up.py [EXTRA ...]
 
-A stamp inside `.venv` says what was installed from which pyproject.toml and constraints.txt. It is written last,
-so an interrupted set-up is simply done again. Only the standard library is used: nothing else is there yet.
+A stamp inside `.venv` says what was installed from which pyproject.toml and constraints.txt. It is written
+last, so an interrupted set-up is simply done again. Only the standard library is used: nothing else is there yet.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def make_venv() -> None:
         version = f"{sys.version_info.major}.{sys.version_info.minor}"
         sys.exit(
             f"This Python {version} cannot make virtual environments: it lacks `venv` or `ensurepip`.\n"
-            f"On Debian and Ubuntu run:  apt-get install python{version}-venv  (with sudo if you are not root)\n"
+            f"On Debian and Ubuntu, as root or with sudo:  apt-get install python{version}-venv\n"
             "Then run make again."
         )
     print("Making .venv ...", flush=True)
