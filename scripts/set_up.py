@@ -3,7 +3,7 @@
     python3 scripts/set_up.py [EXTRA ...]
 
 A stamp inside `.venv` says what was installed from which pyproject.toml and constraints.txt. It is written
-last, so an interrupted set-up is simply done again. Only the standard library is used: nothing else is there yet.
+last, so an interrupted set-up is simply done again. Standard library only: nothing else is there yet.
 """
 
 from __future__ import annotations
