@@ -1,0 +1,3 @@
+export function createLab(element, options) {
+  return { destroy() {}, resetView() {} };
+}

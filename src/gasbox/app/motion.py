@@ -1,0 +1,99 @@
+"""Moves a simulation on in real time, without threads: whoever owns it calls `beat`."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+from gasbox.app.pace import FRAMES_PER_SECOND, Account, Slices, Ticks
+
+if TYPE_CHECKING:
+    from gasbox.run import Simulation
+
+__all__ = ["BUDGET", "Motion"]
+
+BUDGET: Final = 0.012
+"""Seconds per tick that the engine may use; the rest belongs to encoding and to the other threads."""
+
+
+class Motion:
+    """A simulation and the way in which its time follows ours.
+
+    Event-driven gases move by any fraction of a frame. Stepped ones move by whole steps, which below speed 1
+    are spread over the ticks.
+    """
+
+    def __init__(
+        self, simulation: Simulation, speed: float, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self.simulation = simulation
+        self.speed = speed
+        self._clock = clock
+        self._quantum = float(getattr(simulation.scenario.dynamics, "time_step", 0.0))
+        self._slices = Slices(first=max(self._quantum, simulation.frame_interval / 16))
+        self._account = Account(simulation.frame_interval)
+        self._ticks = Ticks(clock())
+        self._last = clock()
+        self._goal = simulation.time
+
+    @property
+    def speed_reached(self) -> float | None:
+        """The speed reached over the last second; None before it was measured."""
+        return self._account.speed()
+
+    @property
+    def keeping_up(self) -> bool:
+        """Whether the speed that was asked for is reached."""
+        return self._account.keeping_up()
+
+    def begin(self) -> None:
+        """Count real time from now: after a pause, a change of speed, or when the page is seen again."""
+        now = self._clock()
+        self._ticks = Ticks(now)
+        self._last = now
+        self._goal = self.simulation.time
+        self._account.clear()
+
+    def beat(self) -> float:
+        """Advance as far as is due, within the budget; the seconds until the next beat."""
+        begun = self._clock()
+        ticks = self._ticks.due(begun)
+        if ticks:
+            interval = self.simulation.frame_interval
+            asked = ticks * self.speed * interval
+            missed = max(0.0, (begun - self._last) * FRAMES_PER_SECOND - ticks - 1) * self.speed * interval
+            start = self.simulation.time
+            self._goal += asked
+            self._advance(self._goal, begun + BUDGET)
+            behind = max(0.0, self._goal - self.simulation.time - self._quantum)
+            self._goal -= behind
+            self._account.add(begun, begun - self._last, self.simulation.time - start, behind + missed)
+            self._last = begun
+        return self._ticks.wait(self._clock())
+
+    def step(self) -> None:
+        """One whole frame, however long it takes."""
+        self.simulation.advance(frames=1)
+        self._goal = self.simulation.time
+
+    def _advance(self, goal: float, deadline: float) -> None:
+        """Slice by slice up to `goal` [time], until the clock shows `deadline` [s]."""
+        simulation = self.simulation
+        while (until := self._next(simulation.time, goal)) is not None:
+            before, begun = simulation.time, self._clock()
+            simulation.advance(until=until)
+            now = self._clock()
+            self._slices.took(simulation.time - before, now - begun)
+            if now >= deadline:
+                return
+
+    def _next(self, now: float, goal: float) -> float | None:
+        """Where the next slice ends, or None if `goal` is reached as far as whole steps allow."""
+        if self._quantum == 0:
+            return min(goal, now + self._slices.size()) if goal > now else None
+        steps = math.floor((goal - now) / self._quantum + 1e-6)
+        if steps < 1:
+            return None
+        return now + min(steps, max(1, int(self._slices.size() / self._quantum))) * self._quantum

@@ -1,0 +1,71 @@
+"""What the page gets to see of a session: consistent copies, never the worker's own arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from gasbox.geometry import Rectangle
+from gasbox.scenario import Scenario
+from gasbox.state import State, Tallies
+
+__all__ = ["Bin", "Followed", "Quantity", "Sample"]
+
+Quantity = Literal["speed", "energy"]
+"""What a histogram's axis shows."""
+
+
+@dataclass(frozen=True)
+class Sample:
+    """One moment of the gas, copied between two advances, for charts and readouts.
+
+    Attributes
+    ----------
+    version : increases with each load and reset; numbers of different versions must not be mixed
+    scenario, geometry : what the gas was made from
+    time : [time]
+    frame : frames done since the start of the scenario
+    state, tallies : independent copies; do not change them
+    playing : whether the gas was running
+    shown_fps : frames that the browser drew per second, lately; 0 if nothing was drawn
+    keeping_up : whether the engine reaches the speed that was asked for
+    speed_reached : frames of simulated time per second, lately, in units of 60; None before it was measured
+    """
+
+    version: int
+    scenario: Scenario
+    geometry: Rectangle
+    time: float
+    frame: int
+    state: State
+    tallies: Tallies
+    playing: bool
+    shown_fps: float
+    keeping_up: bool
+    speed_reached: float | None
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Bin:
+    """The discs of one species with ``low <= quantity < high``: the ones that light up."""
+
+    species: int
+    low: float
+    high: float
+    quantity: Quantity = "speed"
+
+
+@dataclass(frozen=True)
+class Followed:
+    """The disc that is being followed: id, species, position [length] and velocity [length/time]."""
+
+    id: int
+    species: int
+    position: tuple[float, float]
+    velocity: tuple[float, float]
+
+    @property
+    def speed(self) -> float:
+        """Speed [length/time]."""
+        return float((self.velocity[0] ** 2 + self.velocity[1] ** 2) ** 0.5)
