@@ -7,7 +7,6 @@ import re
 import shlex
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -25,21 +24,21 @@ SHOWN_ONLY = ("lab", "bench")
 """Commands that open a page or take minutes: their options are checked, they are not run."""
 
 
-def blocks(*languages: str) -> Iterator[Any]:
+def blocks(*languages: str) -> list[Any]:
     """All fenced blocks in one of these languages, named by page and number."""
-    for page in PAGES:
-        for number, (language, text) in enumerate(BLOCK.findall(page.read_text("utf-8"))):
-            if language in languages:
-                yield pytest.param(text, id=f"{page.name}-{number}")
+    return [
+        pytest.param(text, id=f"{page.name}-{number}")
+        for page in PAGES
+        for number, (language, text) in enumerate(BLOCK.findall(page.read_text("utf-8")))
+        if language in languages
+    ]
 
 
-def commands() -> Iterator[Any]:
-    """All lines of shell blocks, without their comments, that start with a word."""
-    for block in blocks("sh"):
-        for line in block.values[0].splitlines():
-            words = shlex.split(line, comments=True)
-            if words:
-                yield pytest.param(words, id=shlex.join(words))
+def commands() -> list[Any]:
+    """All lines of shell blocks, without their comments, split into words."""
+    lines = [line for block in blocks("sh") for line in block.values[0].splitlines()]
+    split = [shlex.split(line, comments=True) for line in lines]
+    return [pytest.param(words, id=shlex.join(words)) for words in split if words]
 
 
 @pytest.mark.parametrize("snippet", blocks("python"))
