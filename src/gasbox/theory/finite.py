@@ -55,8 +55,8 @@ def finite_energy_cdf(energy: Real, greatest: float, freedom: float) -> Real:
     Parameters
     ----------
     energy : [energy]
-    greatest : E_max, all that one particle can have: the total, or where momentum is conserved the total in the
-        frame of the centre of mass times 1 - m/M
+    greatest : E_max, all that one particle can have: the total, or where momentum is conserved the total in
+        the frame of the centre of mass times 1 - m/M
     freedom : f of the whole gas, > 2
     """
     rest: Real = 1.0 - np.clip(energy / greatest, 0.0, 1.0)

@@ -1,0 +1,97 @@
+"""Histograms of speeds and kinetic energies, and where their axes end when nobody says."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.geometry import Rectangle
+from gasbox.observe.energy import species_temperature, temperature
+from gasbox.observe.motion import speeds
+from gasbox.state import State
+from gasbox.theory.ranges import Quantity, histogram_maximum, rounded_up
+
+__all__ = [
+    "Histogram",
+    "automatic_maximum",
+    "bin_edges",
+    "energies",
+    "energy_histogram",
+    "histogram",
+    "speed_histogram",
+]
+
+
+@dataclass(frozen=True)
+class Histogram:
+    """Numbers of particles in half-open bins, edges[i] <= value < edges[i+1].
+
+    Attributes
+    ----------
+    edges : (bins+1,) float64, ascending
+    counts : (bins,) float64, number of particles (a mean over frames need not be whole)
+    underflow, overflow : how many lie below the first edge, and at or above the last
+    """
+
+    edges: NDArray[np.float64]
+    counts: NDArray[np.float64]
+    underflow: float
+    overflow: float
+
+    @property
+    def total(self) -> float:
+        """Number of particles, those outside the axis included."""
+        return float(np.sum(self.counts)) + self.underflow + self.overflow
+
+    @classmethod
+    def of(cls, values: NDArray[np.float64], edges: NDArray[np.float64]) -> Histogram:
+        """The histogram of some values."""
+        place = np.bincount(np.searchsorted(edges, values, side="right"), minlength=edges.size + 1)
+        return cls(edges, place[1:-1].astype(np.float64), float(place[0]), float(place[-1]))
+
+
+def bin_edges(bins: int, minimum: float, maximum: float) -> NDArray[np.float64]:
+    """(bins+1,) float64: edges of equally wide bins."""
+    return np.linspace(minimum, maximum, bins + 1)
+
+
+def energies(state: State, species: int | None = None) -> NDArray[np.float64]:
+    """(n,) float64 [energy]: kinetic energies of one species, or of all particles."""
+    mass = state.mass if species is None else state.mass[state.species == species]
+    return 0.5 * mass * speeds(state, species) ** 2
+
+
+def speed_histogram(state: State, species: int | None, edges: NDArray[np.float64]) -> Histogram:
+    """Histogram of the speeds of one species, or of all particles for None; edges [length/time]."""
+    return Histogram.of(speeds(state, species), edges)
+
+
+def energy_histogram(state: State, species: int | None, edges: NDArray[np.float64]) -> Histogram:
+    """Histogram of the kinetic energies of one species, or of all particles for None; edges [energy]."""
+    return Histogram.of(energies(state, species), edges)
+
+
+def histogram(
+    state: State, species: int | None, edges: NDArray[np.float64], quantity: Quantity = "speed"
+) -> Histogram:
+    """Histogram of either quantity."""
+    return (speed_histogram if quantity == "speed" else energy_histogram)(state, species, edges)
+
+
+def automatic_maximum(state: State, geometry: Rectangle, species: int, quantity: Quantity = "speed") -> float:
+    """A round end for the axis of one species, from theory; ask once, at the start, and keep it.
+
+    It holds 99.9 % of Maxwell's law at the temperature of the gas, to which the species will come, or at its
+    own, if it starts hotter. For one axis for all species take the largest. A gas at rest gets its fastest
+    value, or 1.
+    """
+    hottest = max(temperature(state, geometry) or 0.0, species_temperature(state, geometry, species) or 0.0)
+    mine = state.mass[state.species == species]
+    end = histogram_maximum(float(mine[0]), hottest, quantity) if mine.size else None
+    if end is not None:
+        return end
+    values = speeds(state, species) if quantity == "speed" else energies(state, species)
+    fastest = float(np.max(values, initial=0.0))
+    return rounded_up(fastest) if fastest > 0.0 else 1.0
