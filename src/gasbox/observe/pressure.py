@@ -67,6 +67,7 @@ def virial_pressure(
     geometry: Rectangle,
     radii: NDArray[np.float64],
     counts: NDArray[np.int64],
+    *,
     temperature: float | None,
     duration: float,
 ) -> float | None:
@@ -105,6 +106,7 @@ def virial_pressure_error(
     geometry: Rectangle,
     radii: NDArray[np.float64],
     counts: NDArray[np.int64],
+    *,
     duration: float,
 ) -> float | None:
     """Standard error of `virial_pressure` [mass/time²]: its collision part/sqrt(collisions), +- 20 %.

@@ -91,7 +91,9 @@ class TimeSeries:
         whole = self._rows[later][2]
         heat = None if np.isnan(whole) else whole
         wall = wall_pressure(change, self._geometry, self._radii, duration)
-        virial = virial_pressure(change, self._geometry, self._radii, self._counts, heat, duration)
+        virial = virial_pressure(
+            change, self._geometry, self._radii, self._counts, temperature=heat, duration=duration
+        )
         return _number(wall), _number(virial)
 
 
