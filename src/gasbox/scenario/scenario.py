@@ -1,0 +1,185 @@
+"""The scenario: all that a gas starts from, validated and frozen."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from typing import Annotated, Any, Final, Literal, TypeVar
+
+from pydantic import Field, ModelWrapValidatorHandler, ValidationError, model_validator
+
+from gasbox.errors import Problem, ScenarioError
+from gasbox.scenario.colors import PALETTE
+from gasbox.scenario.columns import read_particles
+from gasbox.scenario.container import RectangleContainer
+from gasbox.scenario.dynamics import Dynamics, EventDriven, Stepped
+from gasbox.scenario.histograms import Histograms
+from gasbox.scenario.layout import layout
+from gasbox.scenario.particles import Particles
+from gasbox.scenario.problems import KnownKeys, short, translate
+from gasbox.scenario.reserved import without_reserved
+from gasbox.scenario.rules import Parts, broken_rules
+from gasbox.scenario.snapshot import Snapshot
+from gasbox.scenario.species import Region, Species
+from gasbox.scenario.values import LARGEST_SPECIES, Positive, Section, Whole
+
+__all__ = ["Scenario"]
+
+_Section = TypeVar("_Section", bound=Section)
+_MOST_PROBLEMS: Final = 200
+"""A file with more problems than this is told the number of the others."""
+
+
+class Scenario(Section):
+    """A gas in a box: what is in it, how it moves, and how it is shown.
+
+    Raises
+    ------
+    ScenarioError
+        With every problem of the data, also those between fields. Nothing else is raised for bad data.
+    """
+
+    schema_address: Annotated[str | None, Field(alias="$schema")] = None
+    """Address of the JSON Schema, for editors."""
+    format: Literal["gasbox-scenario/1"] = "gasbox-scenario/1"
+    """Kind and version of the file."""
+    title: Annotated[str, Field(max_length=200)] = ""
+    """Title, in a few words."""
+    watch_for: Annotated[str, Field(max_length=1000)] = ""
+    """One sentence on what to watch for."""
+    seed: Annotated[Whole, Field(ge=0, lt=2**63)] = 0
+    """Seed of all random numbers."""
+    container: RectangleContainer
+    """The box."""
+    species: Annotated[tuple[Species, ...], Field(min_length=1, max_length=LARGEST_SPECIES)]
+    """The kinds of particle."""
+    particles: Particles | None = None
+    """Particles listed one by one, in addition to those counted in `species`."""
+    dynamics: Dynamics = EventDriven()
+    """The rule of motion."""
+    frame_interval: Positive | None = None
+    """Simulated time of one frame [time]; without it, chosen from the gas. At 1x, 60 a second."""
+    histograms: Histograms = Histograms()
+    """How the histograms are drawn."""
+    snapshot: Snapshot | None = None
+    """Present in a saved state only; then `particles` is the whole gas and the counts are history."""
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _all_problems(cls, data: Any, handler: ModelWrapValidatorHandler[Scenario]) -> Scenario:
+        """Validate everything that can be, and raise all problems together."""
+        if isinstance(data, Scenario):
+            return handler(data)
+        if not isinstance(data, dict):
+            raise ScenarioError([Problem("", short(data), "a scenario is one JSON object {...}")])
+        data, problems = without_reserved(_with_colors(data))
+        particles: Particles | None = None
+        wrong_rows: list[Problem] = []
+        if data.get("particles") is not None:
+            particles, wrong_rows = read_particles(data["particles"])
+            data = {**data, "particles": particles}
+        scenario, wrong_fields = _validate(
+            data, handler, absent={problem.path.split(".")[0] for problem in problems}
+        )
+        problems += wrong_fields + wrong_rows
+        problems += broken_rules(_parts(data, scenario, particles))
+        if problems or scenario is None:
+            raise ScenarioError(_bounded(problems))
+        return scenario
+
+    def to_dict(self) -> dict[str, Any]:
+        """The scenario as JSON values; `parse` reads it back to an equal one."""
+        return self.model_dump(mode="json", by_alias=True, exclude_none=True)
+
+    def to_json(self) -> str:
+        """The scenario as JSON text; floats read back to the same bits."""
+        return layout(self.to_dict())
+
+    def hash(self) -> str:
+        """SHA-256, hexadecimal, of what the scenario says, whatever the order of keys and the layout."""
+        said = {key: value for key, value in self.to_dict().items() if key != "$schema"}
+        text = json.dumps(said, sort_keys=True, separators=(",", ":"))
+        return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _with_colors(data: dict[str, Any]) -> dict[str, Any]:
+    """Each species without a colour gets the one of its place in the palette."""
+    species = data.get("species")
+    if not isinstance(species, list | tuple):
+        return data
+    colored = [
+        {"color": PALETTE[number % len(PALETTE)], **entry} if isinstance(entry, dict) else entry
+        for number, entry in enumerate(species)
+    ]
+    return {**data, "species": colored}
+
+
+def _validate(
+    data: dict[str, Any], handler: ModelWrapValidatorHandler[Scenario], absent: set[str]
+) -> tuple[Scenario | None, list[Problem]]:
+    try:
+        return handler(data), []
+    except ValidationError as error:
+        # A section that was taken out as "not available yet" is not missing as well.
+        details = error.errors(include_url=False)
+        return None, [
+            translate(detail, _KNOWN)
+            for detail in details
+            if not (detail["type"] == "missing" and detail["loc"][0] in absent)
+        ]
+
+
+def _parts(data: dict[str, Any], scenario: Scenario | None, particles: Particles | None) -> Parts:
+    """What is valid by itself, so that the rules between fields can be tried beside other problems."""
+    if scenario is not None:
+        return Parts(
+            scenario.container,
+            scenario.species,
+            particles,
+            scenario.dynamics,
+            scenario.frame_interval,
+            scenario.histograms,
+            scenario.snapshot,
+        )
+    species = data.get("species")
+    dynamics = data.get("dynamics")
+    kind = dynamics.get("kind") if isinstance(dynamics, dict) else None
+    interval = data.get("frame_interval")
+    return Parts(
+        _one(RectangleContainer, data.get("container")),
+        tuple(_one(Species, entry) for entry in species) if isinstance(species, list | tuple) else (),
+        particles,
+        _one(Stepped, dynamics) if kind == "stepped" else None,
+        interval if isinstance(interval, float | int) and 0 < interval < float("inf") else None,
+        _one(Histograms, data.get("histograms", {})),
+        _one(Snapshot, data.get("snapshot")),
+    )
+
+
+def _one(section: type[_Section], data: Any) -> _Section | None:
+    try:
+        return section.model_validate(data)
+    except ValidationError:
+        return None
+
+
+def _bounded(problems: list[Problem]) -> list[Problem]:
+    rest = len(problems) - _MOST_PROBLEMS
+    return (
+        problems if rest <= 0 else [*problems[:_MOST_PROBLEMS], Problem("", "", f"and {rest} more problems")]
+    )
+
+
+def _keys(section: type[Section]) -> tuple[str, ...]:
+    return tuple(field.alias or name for name, field in section.model_fields.items())
+
+
+_KNOWN: Final[KnownKeys] = {
+    (): _keys(Scenario),
+    ("container",): _keys(RectangleContainer),
+    ("species",): _keys(Species),
+    ("species", "region"): _keys(Region),
+    ("dynamics",): ("kind", "time_step"),
+    ("histograms",): _keys(Histograms),
+    ("snapshot",): _keys(Snapshot),
+}

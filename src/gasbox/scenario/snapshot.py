@@ -1,0 +1,56 @@
+"""What makes a saved gas go on with the same bits."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from pydantic import field_serializer, field_validator
+
+from gasbox.scenario.values import Finite, Section
+
+__all__ = ["Snapshot"]
+
+
+class Snapshot(Section):
+    """The section that turns a scenario into a saved state; then `particles` is the whole gas."""
+
+    version: str
+    """Version of the program that wrote it."""
+    time: Finite
+    """Simulated time [time]."""
+    memory: dict[str, Any]
+    """What the dynamics remembers beside the particles: numbers and arrays."""
+    tallies: dict[str, Any]
+    """Sums over all collisions since the start of the scenario: lists of numbers."""
+
+    @field_validator("memory")
+    @classmethod
+    def _arrays(cls, value: dict[str, Any]) -> dict[str, Any]:
+        return {name: _array(name, entry) for name, entry in value.items()}
+
+    @field_validator("tallies")
+    @classmethod
+    def _lists(cls, value: dict[str, Any]) -> dict[str, Any]:
+        return {name: np.asarray(_array(name, entry)).tolist() for name, entry in value.items()}
+
+    @field_serializer("memory")
+    def _nested(self, value: dict[str, Any]) -> dict[str, Any]:
+        return {name: entry.tolist() if hasattr(entry, "tolist") else entry for name, entry in value.items()}
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Snapshot) and self.model_dump() == other.model_dump()
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def _array(name: str, entry: Any) -> Any:
+    """A finite number as it is, nested lists of finite numbers as an array; ValueError for anything else."""
+    try:
+        array = np.asarray(entry)
+    except (ValueError, OverflowError, RecursionError):
+        raise ValueError(f"{name!r} must be a number or a regular list of numbers") from None
+    if array.dtype.kind not in "iuf" or not np.isfinite(array).all():
+        # An empty list is an empty array of floats, so it passes.
+        raise ValueError(f"{name!r} must hold finite numbers only")
+    return entry if array.ndim == 0 else array
