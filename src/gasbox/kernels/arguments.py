@@ -1,0 +1,130 @@
+"""What every dynamics kernel is given: the particles, the box, and the ledger it writes its collisions into."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.geometry import Rectangle
+from gasbox.jit import kernel
+from gasbox.state import Contacts, State, Tallies
+
+__all__ = ["DONE", "FULL", "NO_PROGRESS", "Box", "Gas", "Ledger", "box", "book_pair", "book_wall", "gas", "ledger"]
+
+DONE = 0
+FULL = 1
+NO_PROGRESS = 2
+
+_PAIR = 0
+_WALL = 1
+
+
+class Gas(NamedTuple):
+    """The particles; fields as in `gasbox.state.State`."""
+
+    id: NDArray[np.int64]
+    species: NDArray[np.int32]
+    mass: NDArray[np.float64]
+    radius: NDArray[np.float64]
+    position: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+
+
+class Box(NamedTuple):
+    """The rectangle: sides [length] and which directions are periodic."""
+
+    width: float
+    height: float
+    periodic_x: bool
+    periodic_y: bool
+
+
+class Ledger(NamedTuple):
+    """Where executed collisions are booked: the arrays of `Tallies` and of `Contacts`, and the rows in use."""
+
+    pair_virial: NDArray[np.float64]
+    pair_collisions: NDArray[np.int64]
+    wall_impulse: NDArray[np.float64]
+    wall_collisions: NDArray[np.int64]
+    count: NDArray[np.int64]
+    kind: NDArray[np.uint8]
+    time: NDArray[np.float64]
+    first: NDArray[np.int64]
+    second: NDArray[np.int64]
+    impulse: NDArray[np.float64]
+
+
+def gas(state: State) -> Gas:
+    """The arrays of `state` as a kernel takes them (no copies)."""
+    return Gas(state.id, state.species, state.mass, state.radius, state.position, state.velocity)
+
+
+def box(geometry: Rectangle) -> Box:
+    """The rectangle as a kernel takes it."""
+    return Box(
+        float(geometry.width), float(geometry.height), bool(geometry.periodic_x), bool(geometry.periodic_y)
+    )
+
+
+def ledger(tallies: Tallies, contacts: Contacts, count: NDArray[np.int64]) -> Ledger:
+    """The ledger over the arrays of `tallies` and `contacts` (no copies); `count` is (1,), the rows in use."""
+    return Ledger(
+        tallies.pair_virial,
+        tallies.pair_collisions,
+        tallies.wall_impulse,
+        tallies.wall_collisions,
+        count,
+        contacts.kind,
+        contacts.time,
+        contacts.first,
+        contacts.second,
+        contacts.impulse,
+    )
+
+
+@kernel
+def _write(book: Ledger, kind: int, time: float, first: int, second: int, jx: float, jy: float) -> None:
+    row = book.count[0]
+    book.kind[row] = kind
+    book.time[row] = time
+    book.first[row] = first
+    book.second[row] = second
+    book.impulse[row, 0] = jx
+    book.impulse[row, 1] = jy
+    book.count[0] = row + 1
+
+
+@kernel
+def book_pair(
+    book: Ledger,
+    gas: Gas,
+    i: int,
+    j: int,
+    time: float,
+    jx: float,
+    jy: float,
+    virial: float,
+) -> None:
+    """Book a collision of rows `i` and `j` (id of i below id of j); (jx, jy) is the impulse given to `i`.
+
+    Precondition: the buffer of contacts has a free row, or a capacity of zero.
+    """
+    a, b = gas.species[i], gas.species[j]
+    book.pair_virial[0] += virial
+    book.pair_collisions[min(a, b), max(a, b)] += 1
+    if book.kind.shape[0] > 0:
+        _write(book, _PAIR, time, gas.id[i], gas.id[j], jx, jy)
+
+
+@kernel
+def book_wall(book: Ledger, gas: Gas, i: int, wall: int, time: float, jx: float, jy: float) -> None:
+    """Book a collision of row `i` with a wall; (jx, jy) is the impulse given to the particle.
+
+    Precondition: as for `book_pair`.
+    """
+    book.wall_impulse[wall, gas.species[i]] += abs(jx) + abs(jy)
+    book.wall_collisions[wall, gas.species[i]] += 1
+    if book.kind.shape[0] > 0:
+        _write(book, _WALL, time, gas.id[i], wall, jx, jy)

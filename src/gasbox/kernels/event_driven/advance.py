@@ -1,0 +1,178 @@
+"""Execute events in the order of time."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from gasbox.jit import kernel
+from gasbox.kernels.arguments import DONE, FULL, NO_PROGRESS, Box, Gas, Ledger, book_pair, book_wall
+from gasbox.kernels.collision import exchange
+from gasbox.kernels.event_driven.cells import cross, schedule_crossing
+from gasbox.kernels.event_driven.queue import earliest, remove
+from gasbox.kernels.event_driven.search import predict, predict_entered, release
+from gasbox.kernels.event_driven.tables import (
+    CROSSINGS,
+    EVENTS,
+    NOBODY,
+    PARTNER,
+    RADIUS,
+    STALE,
+    STALES,
+    T0,
+    T_CROSS,
+    T_EVENT,
+    VX,
+    VY,
+    WALL,
+    X,
+    Y,
+    Tables,
+)
+
+__all__ = ["advance"]
+
+
+@kernel
+def _refer(tables: Tables, box: Box, i: int, now: float) -> None:
+    """Make `now` the reference time of particle i: its position then, inside the box where it is periodic."""
+    flight = tables.flight
+    elapsed = now - flight[i, T0]
+    x = flight[i, X] + flight[i, VX] * elapsed
+    y = flight[i, Y] + flight[i, VY] * elapsed
+    if box.periodic_x:
+        x -= math.floor(x / box.width) * box.width
+    if box.periodic_y:
+        y -= math.floor(y / box.height) * box.height
+    flight[i, X] = x
+    flight[i, Y] = y
+    flight[i, T0] = now
+
+
+@kernel
+def _free(tables: Tables, i: int) -> None:
+    """Take particle i out of the queue, without an event."""
+    remove(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, i)
+    tables.flight[i, T_EVENT] = math.inf
+    tables.link[i, PARTNER] = NOBODY
+
+
+@kernel
+def _collide(tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, j: int, now: float, epoch: float) -> None:
+    """Execute the collision of i and j (i < j); if rounding finds them parting already, let them pass."""
+    flight = tables.flight
+    _refer(tables, box, i, now)
+    _refer(tables, box, j, now)
+    dx, dy = flight[i, X] - flight[j, X], flight[i, Y] - flight[j, Y]
+    if box.periodic_x:
+        dx -= box.width * np.rint(dx / box.width)
+    if box.periodic_y:
+        dy -= box.height * np.rint(dy / box.height)
+    dvx, dvy = flight[i, VX] - flight[j, VX], flight[i, VY] - flight[j, VY]
+    if dvx * dx + dvy * dy >= 0.0:
+        return
+    change_i, change_j, impulse, virial = exchange(dx, dy, dvx, dvy, gas.mass[i], gas.mass[j])
+    flight[i, VX] -= change_i * dx
+    flight[i, VY] -= change_i * dy
+    flight[j, VX] += change_j * dx
+    flight[j, VY] += change_j * dy
+    book_pair(book, gas, i, j, epoch + now, -impulse * dx, -impulse * dy, virial)
+
+
+@kernel
+def _bounce(tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, wall: int, now: float, epoch: float) -> None:
+    """Execute the collision of disc i with a wall, and put it exactly on it."""
+    flight = tables.flight
+    _refer(tables, box, i, now)
+    if wall < 2:
+        flight[i, X] = flight[i, RADIUS] if wall == 0 else box.width - flight[i, RADIUS]
+        flight[i, VX] = -flight[i, VX]
+        book_wall(book, gas, i, wall, epoch + now, 2.0 * gas.mass[i] * flight[i, VX], 0.0)
+    else:
+        flight[i, Y] = flight[i, RADIUS] if wall == 2 else box.height - flight[i, RADIUS]
+        flight[i, VY] = -flight[i, VY]
+        book_wall(book, gas, i, wall, epoch + now, 0.0, 2.0 * gas.mass[i] * flight[i, VY])
+
+
+@kernel
+def _pair_event(
+    tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, j: int, now: float, epoch: float
+) -> None:
+    _free(tables, i)
+    _free(tables, j)
+    _collide(tables, box, gas, book, min(i, j), max(i, j), now, epoch)
+    schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, i, now)
+    schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, j, now)
+    predict(tables, box, i, now)
+    # In a tiny periodic box i may have found another image of j.
+    remove(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, j)
+    if tables.link[j, PARTNER] >= 0:
+        release(tables, tables.link[j, PARTNER])
+    predict(tables, box, j, now)
+
+
+@kernel
+def _wall_event(
+    tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, wall: int, now: float, epoch: float
+) -> None:
+    _free(tables, i)
+    _bounce(tables, box, gas, book, i, wall, now, epoch)
+    schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, i, now)
+    predict(tables, box, i, now)
+
+
+@kernel
+def _cross_event(tables: Tables, box: Box, i: int, now: float) -> None:
+    remove(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, i)
+    flight, link, levels, sides = tables.flight, tables.link, tables.levels, tables.sides
+    step_x, step_y = cross(flight, link, tables.head, levels, sides, box, i, now)
+    schedule_crossing(flight, link, levels, sides, box, i, now)
+    predict_entered(tables, box, i, now, step_x, step_y)
+    tables.counter[CROSSINGS] += 1
+
+
+@kernel
+def advance(tables: Tables, box: Box, gas: Gas, book: Ledger, until: float, epoch: float) -> int:
+    """Execute all events up to and including the time `until`.
+
+    Parameters
+    ----------
+    until : [time], since the start of the epoch, not beyond its end
+    epoch : [time], start of the epoch
+
+    Returns
+    -------
+    DONE, FULL (read the contacts, call again) or NO_PROGRESS (very many events at one moment).
+    """
+    flight, link, counter = tables.flight, tables.link, tables.counter
+    limited = book.kind.shape[0] > 0
+    patience = 1000 * (flight.shape[0] + 10)
+    idle, latest = 0, -math.inf
+    while True:
+        i = earliest(flight, link, tables.ring, tables.heap, counter, tables.number, until)
+        if i < 0:
+            return DONE
+        event, crossing, partner = flight[i, T_EVENT], flight[i, T_CROSS], link[i, PARTNER]
+        now = min(event, crossing)
+        if now > until:
+            return DONE
+        if now > latest:
+            latest, idle = now, 0
+        else:
+            idle += 1
+            if idle > patience:
+                return NO_PROGRESS
+        counter[EVENTS] += 1
+        if crossing <= event:
+            _cross_event(tables, box, i, now)
+        elif partner == STALE:
+            counter[STALES] += 1
+            _free(tables, i)
+            predict(tables, box, i, now)
+        elif limited and book.count[0] >= book.kind.shape[0]:
+            return FULL
+        elif partner >= 0:
+            _pair_event(tables, box, gas, book, i, partner, now, epoch)
+        else:
+            _wall_event(tables, box, gas, book, i, WALL - partner, now, epoch)

@@ -1,0 +1,126 @@
+"""The lists of particles in each cell, and when a particle crosses into the next cell.
+
+Crossings only decide which pairs are looked at; they never touch a reference, so they may be rounded at will.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import kernel
+from gasbox.kernels.arguments import Box
+from gasbox.kernels.event_driven.tables import (
+    CELL,
+    COLUMNS,
+    FIRST,
+    LEVEL,
+    NEXT,
+    PREV,
+    ROWS,
+    T0,
+    T_CROSS,
+    VX,
+    VY,
+    X,
+    Y,
+)
+
+__all__ = ["cross", "enter", "leave", "schedule_crossing"]
+
+
+@kernel
+def enter(link: NDArray[np.int32], head: NDArray[np.int32], i: int, cell: int) -> None:
+    """Put particle `i` into the list of `cell`."""
+    after = head[cell]
+    link[i, CELL] = cell
+    link[i, PREV] = -1
+    link[i, NEXT] = after
+    if after >= 0:
+        link[after, PREV] = i
+    head[cell] = i
+
+
+@kernel
+def leave(link: NDArray[np.int32], head: NDArray[np.int32], i: int) -> None:
+    """Take particle `i` out of the list of its cell."""
+    before, after = link[i, PREV], link[i, NEXT]
+    if before >= 0:
+        link[before, NEXT] = after
+    else:
+        head[link[i, CELL]] = after
+    if after >= 0:
+        link[after, PREV] = before
+
+
+@kernel
+def _time_to_cross(
+    x: float, v: float, cell: int, cells: int, side: float, length: float, periodic: bool
+) -> float:
+    """Time from now until the coordinate `x` leaves its cell, infinity if it stays or ends at a wall."""
+    if v == 0.0 or (not periodic and cell == (cells - 1 if v > 0.0 else 0)):
+        return math.inf
+    within = x - cell * side
+    if periodic:
+        within -= length * np.rint((within - 0.5 * side) / length)
+    distance = max(side - within, 0.0) if v > 0.0 else max(within, 0.0)
+    if cells == 1 and distance < 1e-9 * side:
+        distance += side
+    return distance / abs(v)
+
+
+@kernel
+def schedule_crossing(
+    flight: NDArray[np.float64],
+    link: NDArray[np.int32],
+    levels: NDArray[np.int64],
+    sides: NDArray[np.float64],
+    box: Box,
+    i: int,
+    now: float,
+) -> None:
+    """Set the time at which particle `i` leaves its cell."""
+    level = link[i, LEVEL]
+    columns, rows = levels[level, COLUMNS], levels[level, ROWS]
+    local = link[i, CELL] - levels[level, FIRST]
+    elapsed = now - flight[i, T0]
+    vx, vy = flight[i, VX], flight[i, VY]
+    x, y = flight[i, X] + vx * elapsed, flight[i, Y] + vy * elapsed
+    along_x = _time_to_cross(x, vx, local % columns, columns, sides[level, 0], box.width, box.periodic_x)
+    along_y = _time_to_cross(y, vy, local // columns, rows, sides[level, 1], box.height, box.periodic_y)
+    flight[i, T_CROSS] = now + min(along_x, along_y)
+
+
+@kernel
+def cross(
+    flight: NDArray[np.float64],
+    link: NDArray[np.int32],
+    head: NDArray[np.int32],
+    levels: NDArray[np.int64],
+    sides: NDArray[np.float64],
+    box: Box,
+    i: int,
+    now: float,
+) -> tuple[int, int]:
+    """Move particle `i` into the cell that it enters at time `now`; return the direction (-1, 0 or 1 in x and y)."""
+    level = link[i, LEVEL]
+    columns, rows = levels[level, COLUMNS], levels[level, ROWS]
+    local = link[i, CELL] - levels[level, FIRST]
+    column, row = local % columns, local // columns
+    elapsed = now - flight[i, T0]
+    vx, vy = flight[i, VX], flight[i, VY]
+    x, y = flight[i, X] + vx * elapsed, flight[i, Y] + vy * elapsed
+    along_x = _time_to_cross(x, vx, column, columns, sides[level, 0], box.width, box.periodic_x)
+    along_y = _time_to_cross(y, vy, row, rows, sides[level, 1], box.height, box.periodic_y)
+    step_x, step_y = 0, 0
+    if along_x <= along_y:
+        step_x = 1 if vx > 0.0 else -1
+    else:
+        step_y = 1 if vy > 0.0 else -1
+    leave(link, head, i)
+    column = (column + step_x + columns) % columns
+    row = (row + step_y + rows) % rows
+    enter(link, head, i, levels[level, FIRST] + row * columns + column)
+    return step_x, step_y

@@ -1,0 +1,191 @@
+"""A calendar of coming events: buckets of equal time, of which the current one is kept as a heap.
+
+The bucket of a time is its whole number of bucket widths. This is a monotone function also in floating point, so an
+earlier event is never filed behind a later one; what belongs to the current bucket or (by rounding) to a past one goes
+into the heap.
+
+Source: G. Paul, J. Comput. Phys. 221, 615 (2007), doi:10.1016/j.jcp.2006.06.042.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import kernel
+from gasbox.kernels.event_driven.tables import (
+    BUCKETS_PER_TIME,
+    CURRENT,
+    HEAP,
+    HORIZON,
+    LATER,
+    NOWHERE,
+    PARTNER,
+    PLACE,
+    Q_NEXT,
+    Q_PREV,
+    STALE,
+    T_CROSS,
+    T_EVENT,
+)
+
+__all__ = ["earliest", "insert", "remove", "rise"]
+
+_Flight = NDArray[np.float64]
+_Ints = NDArray[np.int32]
+
+
+@kernel
+def _key(flight: _Flight, link: _Ints, i: int) -> tuple[float, int, int, int]:
+    """Order of events: time; then what only finds events, pairs, walls; then ids."""
+    event, crossing = flight[i, T_EVENT], flight[i, T_CROSS]
+    partner = link[i, PARTNER]
+    if crossing <= event:
+        return crossing, 0, i, 0
+    if partner >= 0:
+        return event, 1, min(i, partner), max(i, partner)
+    if partner == STALE:
+        return event, 0, i, 0
+    return event, 2, i, -partner
+
+
+@kernel
+def _before(flight: _Flight, link: _Ints, i: int, j: int) -> bool:
+    t_i = min(flight[i, T_EVENT], flight[i, T_CROSS])
+    t_j = min(flight[j, T_EVENT], flight[j, T_CROSS])
+    if t_i != t_j:
+        return t_i < t_j
+    return _key(flight, link, i) < _key(flight, link, j)
+
+
+@kernel
+def _rise(flight: _Flight, link: _Ints, heap: _Ints, place: int, base: int) -> None:
+    i = heap[place]
+    while place > 0:
+        parent = (place - 1) // 2
+        j = heap[parent]
+        if not _before(flight, link, i, j):
+            break
+        heap[place] = j
+        link[j, PLACE] = base + place
+        place = parent
+    heap[place] = i
+    link[i, PLACE] = base + place
+
+
+@kernel
+def _sink(flight: _Flight, link: _Ints, heap: _Ints, place: int, size: int, base: int) -> None:
+    i = heap[place]
+    while True:
+        child = 2 * place + 1
+        if child >= size:
+            break
+        if child + 1 < size and _before(flight, link, heap[child + 1], heap[child]):
+            child += 1
+        j = heap[child]
+        if not _before(flight, link, j, i):
+            break
+        heap[place] = j
+        link[j, PLACE] = base + place
+        place = child
+    heap[place] = i
+    link[i, PLACE] = base + place
+
+
+@kernel
+def remove(
+    flight: _Flight, link: _Ints, ring: _Ints, heap: _Ints, counter: NDArray[np.int64], i: int
+) -> None:
+    """Take particle `i` out of the queue, before its times change (of a heap the order may be stale at `i` only)."""
+    place = link[i, PLACE]
+    if place >= ring.shape[0]:
+        place -= ring.shape[0]
+        size = counter[HEAP] - 1
+        counter[HEAP] = size
+        if place < size:
+            last = heap[size]
+            heap[place] = last
+            link[last, PLACE] = ring.shape[0] + place
+            _sink(flight, link, heap, place, size, ring.shape[0])
+            _rise(flight, link, heap, link[last, PLACE] - ring.shape[0], ring.shape[0])
+    elif place >= 0:
+        before, after = link[i, Q_PREV], link[i, Q_NEXT]
+        if before >= 0:
+            link[before, Q_NEXT] = after
+        else:
+            ring[place] = after
+        if after >= 0:
+            link[after, Q_PREV] = before
+    link[i, PLACE] = NOWHERE
+
+
+@kernel
+def rise(flight: _Flight, link: _Ints, ring: _Ints, heap: _Ints, i: int) -> None:
+    """Restore the order after the event of particle `i` has come to rank earlier at the same time."""
+    place = link[i, PLACE]
+    if place >= ring.shape[0]:
+        _rise(flight, link, heap, place - ring.shape[0], ring.shape[0])
+
+
+@kernel
+def insert(
+    flight: _Flight,
+    link: _Ints,
+    ring: _Ints,
+    heap: _Ints,
+    counter: NDArray[np.int64],
+    number: NDArray[np.float64],
+    i: int,
+) -> None:
+    """File particle `i` by the time of its next event; events beyond the epoch are not filed at all."""
+    time = min(flight[i, T_EVENT], flight[i, T_CROSS])
+    if time > number[HORIZON]:
+        link[i, PLACE] = NOWHERE
+        return
+    bucket = int(time * number[BUCKETS_PER_TIME])
+    if bucket <= counter[CURRENT]:
+        place = counter[HEAP]
+        counter[HEAP] = place + 1
+        heap[place] = i
+        _rise(flight, link, heap, place, ring.shape[0])
+    elif bucket < counter[CURRENT] + ring.shape[0]:
+        place = bucket & (ring.shape[0] - 1)
+        after = ring[place]
+        link[i, Q_PREV] = -1
+        link[i, Q_NEXT] = after
+        if after >= 0:
+            link[after, Q_PREV] = i
+        ring[place] = i
+        link[i, PLACE] = place
+    else:
+        link[i, PLACE] = LATER
+
+
+@kernel
+def earliest(
+    flight: _Flight,
+    link: _Ints,
+    ring: _Ints,
+    heap: _Ints,
+    counter: NDArray[np.int64],
+    number: NDArray[np.float64],
+    until: float,
+) -> int:
+    """The particle with the next event, or -1 if none is due in the bucket of `until` or before."""
+    last = int(min(until, number[HORIZON]) * number[BUCKETS_PER_TIME])
+    while counter[HEAP] == 0:
+        if counter[CURRENT] >= last:
+            return -1
+        counter[CURRENT] += 1
+        place = counter[CURRENT] & (ring.shape[0] - 1)
+        if place == 0:
+            for i in range(link.shape[0]):
+                if link[i, PLACE] == LATER:
+                    insert(flight, link, ring, heap, counter, number, i)
+        i = ring[place]
+        ring[place] = -1
+        while i >= 0:
+            after = link[i, Q_NEXT]
+            insert(flight, link, ring, heap, counter, number, i)
+            i = after
+    return heap[0]

@@ -1,0 +1,102 @@
+"""Set up cells and events from the references; move the references to the next epoch; show where all discs are."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import kernel
+from gasbox.kernels.arguments import Box, Gas
+from gasbox.kernels.event_driven.cells import enter, schedule_crossing
+from gasbox.kernels.event_driven.queue import remove
+from gasbox.kernels.event_driven.search import predict_entered
+from gasbox.kernels.event_driven.tables import (
+    BUCKETS_PER_TIME,
+    COLUMNS,
+    CURRENT,
+    FIRST,
+    HEAP,
+    HORIZON,
+    LEVEL,
+    NOBODY,
+    NOWHERE,
+    PARTNER,
+    PLACE,
+    ROWS,
+    T0,
+    T_EVENT,
+    VX,
+    VY,
+    X,
+    Y,
+    Tables,
+)
+from gasbox.kernels.grid import cell_of
+
+__all__ = ["project", "rebuild", "shift"]
+
+
+@kernel
+def _fold(coordinate: float, length: float, periodic: bool) -> float:
+    """The coordinate inside the box, if periodic."""
+    if periodic:
+        coordinate -= math.floor(coordinate / length) * length
+    return coordinate
+
+
+@kernel
+def project(flight: NDArray[np.float64], box: Box, now: float, gas: Gas) -> None:
+    """Write positions and velocities at time `now` (since the start of the epoch) into the public arrays."""
+    position, velocity = gas.position, gas.velocity
+    for i in range(flight.shape[0]):
+        elapsed = now - flight[i, T0]
+        position[i, 0] = _fold(flight[i, X] + flight[i, VX] * elapsed, box.width, box.periodic_x)
+        position[i, 1] = _fold(flight[i, Y] + flight[i, VY] * elapsed, box.height, box.periodic_y)
+        velocity[i, 0] = flight[i, VX]
+        velocity[i, 1] = flight[i, VY]
+
+
+@kernel
+def shift(flight: NDArray[np.float64], box: Box, end: float) -> None:
+    """Move all references to the end of the epoch, which is time zero of the next one."""
+    for i in range(flight.shape[0]):
+        elapsed = end - flight[i, T0]
+        flight[i, X] = _fold(flight[i, X] + flight[i, VX] * elapsed, box.width, box.periodic_x)
+        flight[i, Y] = _fold(flight[i, Y] + flight[i, VY] * elapsed, box.height, box.periodic_y)
+        flight[i, T0] = 0.0
+
+
+@kernel
+def rebuild(tables: Tables, box: Box, now: float, horizon: float, rate: float) -> None:
+    """File all particles and find all events anew, from the references alone.
+
+    Parameters
+    ----------
+    now : [time], since the start of the epoch
+    horizon : [time], end of the epoch
+    rate : [1/time], expected events per time, for the width of the calendar's buckets
+    """
+    flight, link, head, levels = tables.flight, tables.link, tables.head, tables.levels
+    head[:] = -1
+    tables.ring[:] = -1
+    tables.counter[HEAP] = 0
+    tables.number[HORIZON] = horizon
+    tables.number[BUCKETS_PER_TIME] = rate
+    tables.counter[CURRENT] = int(now * rate)
+    for i in range(flight.shape[0]):
+        elapsed = now - flight[i, T0]
+        x = _fold(flight[i, X] + flight[i, VX] * elapsed, box.width, box.periodic_x)
+        y = _fold(flight[i, Y] + flight[i, VY] * elapsed, box.height, box.periodic_y)
+        level = link[i, LEVEL]
+        column = cell_of(x, box.width, levels[level, COLUMNS])
+        row = cell_of(y, box.height, levels[level, ROWS])
+        enter(link, head, i, levels[level, FIRST] + row * levels[level, COLUMNS] + column)
+        link[i, PARTNER] = NOBODY
+        link[i, PLACE] = NOWHERE
+        flight[i, T_EVENT] = math.inf
+        schedule_crossing(flight, link, levels, tables.sides, box, i, now)
+    for i in range(flight.shape[0]):
+        remove(flight, link, tables.ring, tables.heap, tables.counter, i)
+        predict_entered(tables, box, i, now, 0, 0)

@@ -1,0 +1,270 @@
+"""Find the next event of a particle, and make it mutual.
+
+Each particle holds one next event. A pair is taken only if it precedes the events that both already hold; whoever
+loses a partner by that keeps the time, marked STALE, and looks again then (most stale events are overwritten before).
+
+Source: the one-event bookkeeping of B. D. Lubachevsky, J. Comput. Phys. 94, 255 (1991),
+doi:10.1016/0021-9991(91)90222-7.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import kernel
+from gasbox.kernels.arguments import Box
+from gasbox.kernels.event_driven.flight import meeting_time, wall_meeting
+from gasbox.kernels.event_driven.queue import insert, remove, rise
+from gasbox.kernels.event_driven.tables import (
+    CELL,
+    COLUMNS,
+    FACTOR_X,
+    FACTOR_Y,
+    FIRST,
+    IMAGES_X,
+    IMAGES_Y,
+    LEVEL,
+    NEXT,
+    NOBODY,
+    PARTNER,
+    PREDICTIONS,
+    RADIUS,
+    ROWS,
+    STALE,
+    T0,
+    T_EVENT,
+    TESTS,
+    VX,
+    VY,
+    WALL,
+    X,
+    Y,
+    Tables,
+)
+from gasbox.kernels.grid import span
+
+__all__ = ["predict", "predict_entered", "release"]
+
+
+@kernel
+def _precedes(
+    flight: NDArray[np.float64], link: NDArray[np.int32], time: float, i: int, j: int, k: int
+) -> bool:
+    """Whether a meeting of i and j at `time` comes before the event that particle k holds."""
+    held = flight[k, T_EVENT]
+    if time != held:
+        return time < held
+    partner = link[k, PARTNER]
+    if partner >= 0:
+        low, low_held = min(i, j), min(k, partner)
+        return low < low_held or (low == low_held and max(i, j) < max(k, partner))
+    return partner != STALE
+
+
+@kernel
+def _pair_time(
+    flight: NDArray[np.float64], i: int, j: int, now: float, box: Box, images_x: int, images_y: int
+) -> float:
+    """Earliest meeting of discs i and j, over the images that can be near."""
+    t_i, t_j = flight[i, T0], flight[j, T0]
+    start = max(t_i, t_j)
+    dvx, dvy = flight[i, VX] - flight[j, VX], flight[i, VY] - flight[j, VY]
+    sigma = flight[i, RADIUS] + flight[j, RADIUS]
+    dx = (flight[i, X] + flight[i, VX] * (start - t_i)) - (flight[j, X] + flight[j, VX] * (start - t_j))
+    dy = (flight[i, Y] + flight[i, VY] * (start - t_i)) - (flight[j, Y] + flight[j, VY] * (start - t_j))
+    if not (box.periodic_x or box.periodic_y):
+        return meeting_time(dx, dy, dvx, dvy, sigma, start)
+    shift_x, shift_y = 0.0, 0.0
+    if box.periodic_x:
+        shift_x = -np.rint((dx + dvx * (now - start)) / box.width)
+    if box.periodic_y:
+        shift_y = -np.rint((dy + dvy * (now - start)) / box.height)
+    best = math.inf
+    for image_y in range(-images_y, images_y + 1):
+        for image_x in range(-images_x, images_x + 1):
+            time = meeting_time(
+                dx + (shift_x + image_x) * box.width,
+                dy + (shift_y + image_y) * box.height,
+                dvx,
+                dvy,
+                sigma,
+                start,
+            )
+            best = min(best, time)
+    return best
+
+
+@kernel
+def _look(
+    flight: NDArray[np.float64],
+    link: NDArray[np.int32],
+    head: NDArray[np.int32],
+    levels: NDArray[np.int64],
+    counter: NDArray[np.int64],
+    box: Box,
+    i: int,
+    now: float,
+    level: int,
+    images_level: int,
+    left: int,
+    right: int,
+    below: int,
+    above: int,
+    best: float,
+    who: int,
+) -> tuple[float, int]:
+    """The earliest meeting of i with the discs of one level in a block of cells, if it precedes (best, who)."""
+    columns, rows, first = levels[level, COLUMNS], levels[level, ROWS], levels[level, FIRST]
+    images_x, images_y = levels[images_level, IMAGES_X], levels[images_level, IMAGES_Y]
+    for row in range(below, above + 1):
+        base = first + (row + rows) % rows * columns
+        for column in range(left, right + 1):
+            j = head[base + (column + columns) % columns]
+            while j >= 0:
+                if j != i:
+                    counter[TESTS] += 1
+                    time = _pair_time(flight, i, j, now, box, images_x, images_y)
+                    if time <= best and time <= flight[j, T_EVENT] and time < math.inf:
+                        better = time < best or (
+                            who >= 0
+                            and (min(i, j), max(i, j)) < (min(i, who), max(i, who))
+                        ) or (who <= WALL)
+                        if better and _precedes(flight, link, time, i, j, j):
+                            best, who = time, j
+                j = link[j, NEXT]
+    return best, who
+
+
+@kernel
+def _entered(
+    step: int, old: int, cell: int, cells: int, periodic: bool, low: int, high: int
+) -> tuple[int, int]:
+    """Of the offsets low..high those that a crossing by `step` from cell `old` has brought near (all if no step)."""
+    if step == 0 or (cells == 1 and periodic):
+        return low, high
+    if old != cell and (periodic or low <= step <= high):
+        return step, step
+    return 1, 0
+
+
+@kernel
+def _survey(
+    tables: Tables,
+    box: Box,
+    i: int,
+    now: float,
+    step_x: int,
+    step_y: int,
+    best: float,
+    who: int,
+) -> tuple[float, int]:
+    """Look through all levels around particle i, or (step not zero) through what a crossing has brought near."""
+    flight, link, head, levels, counter = tables.flight, tables.link, tables.head, tables.levels, tables.counter
+    own = link[i, LEVEL]
+    local = link[i, CELL] - levels[own, FIRST]
+    column, row = local % levels[own, COLUMNS], local // levels[own, COLUMNS]
+    for level in range(levels.shape[0]):
+        coarse = max(own, level)
+        fx = levels[coarse, FACTOR_X] // levels[own, FACTOR_X]
+        fy = levels[coarse, FACTOR_Y] // levels[own, FACTOR_Y]
+        cx, cy = column // fx, row // fy
+        columns, rows = levels[coarse, COLUMNS], levels[coarse, ROWS]
+        left, right = span(cx, columns, box.periodic_x)
+        below, above = span(cy, rows, box.periodic_y)
+        old_x = (column - step_x + levels[own, COLUMNS]) % levels[own, COLUMNS] // fx
+        old_y = (row - step_y + levels[own, ROWS]) % levels[own, ROWS] // fy
+        left, right = _entered(step_x, old_x, cx, columns, box.periodic_x, left, right)
+        below, above = _entered(step_y, old_y, cy, rows, box.periodic_y, below, above)
+        if level >= own:
+            best, who = _look(
+                flight, link, head, levels, counter, box, i, now, level, level,
+                cx + left, cx + right, cy + below, cy + above, best, who,
+            )  # fmt: skip
+        else:
+            gx = levels[own, FACTOR_X] // levels[level, FACTOR_X]
+            gy = levels[own, FACTOR_Y] // levels[level, FACTOR_Y]
+            for block_y in range(cy + below, cy + above + 1):
+                for block_x in range(cx + left, cx + right + 1):
+                    at_x = (block_x + columns) % columns * gx
+                    at_y = (block_y + rows) % rows * gy
+                    best, who = _look(
+                        flight, link, head, levels, counter, box, i, now, level, own,
+                        at_x, at_x + gx - 1, at_y, at_y + gy - 1, best, who,
+                    )  # fmt: skip
+    return best, who
+
+
+@kernel
+def release(tables: Tables, k: int) -> None:
+    """Particle k has lost its partner: it keeps the time and will look again then."""
+    tables.link[k, PARTNER] = STALE
+    rise(tables.flight, tables.link, tables.ring, tables.heap, k)
+
+
+@kernel
+def _hold(tables: Tables, i: int, time: float, who: int) -> None:
+    """Give particle i its next event, and its partner the same; file both."""
+    flight, link, ring, heap = tables.flight, tables.link, tables.ring, tables.heap
+    counter, number = tables.counter, tables.number
+    if who >= 0:
+        lost = link[who, PARTNER]
+        if lost >= 0:
+            release(tables, lost)
+        remove(flight, link, ring, heap, counter, who)
+        flight[who, T_EVENT] = time
+        link[who, PARTNER] = i
+        insert(flight, link, ring, heap, counter, number, who)
+    flight[i, T_EVENT] = time
+    link[i, PARTNER] = who
+    insert(flight, link, ring, heap, counter, number, i)
+
+
+@kernel
+def _at_wall(tables: Tables, box: Box, i: int) -> tuple[float, int]:
+    """The next wall that particle i meets, looked for in the outermost cells only."""
+    level = tables.link[i, LEVEL]
+    columns, rows = tables.levels[level, COLUMNS], tables.levels[level, ROWS]
+    local = tables.link[i, CELL] - tables.levels[level, FIRST]
+    column, row = local % columns, local // columns
+    at_x = not box.periodic_x and (column == 0 or column == columns - 1)
+    at_y = not box.periodic_y and (row == 0 or row == rows - 1)
+    if at_x or at_y:
+        return wall_meeting(tables.flight, i, box.width, box.height, at_x, at_y)
+    return math.inf, NOBODY
+
+
+@kernel
+def predict(tables: Tables, box: Box, i: int, now: float) -> None:
+    """Look for the next event of particle i among everything around it.
+
+    Precondition: i is not filed, nobody holds i as a partner; its cell and crossing time are up to date.
+    """
+    tables.counter[PREDICTIONS] += 1
+    time, who = _at_wall(tables, box, i)
+    if time == math.inf:
+        who = NOBODY
+    time, who = _survey(tables, box, i, now, 0, 0, time, who)
+    _hold(tables, i, time, who)
+
+
+@kernel
+def predict_entered(tables: Tables, box: Box, i: int, now: float, step_x: int, step_y: int) -> None:
+    """Look for an earlier event of particle i in the cells that a crossing has brought near (no step: in all around it).
+
+    Precondition: i is not filed; its cell and crossing time are up to date.
+    """
+    held, partner = tables.flight[i, T_EVENT], tables.link[i, PARTNER]
+    time, who = held, partner
+    wall_time, wall = _at_wall(tables, box, i)
+    if wall_time < time:
+        time, who = wall_time, wall
+    time, who = _survey(tables, box, i, now, step_x, step_y, time, who)
+    if partner >= 0:
+        if who == partner and time == held:
+            insert(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, tables.number, i)
+            return
+        release(tables, partner)
+    _hold(tables, i, time, who)

@@ -1,0 +1,103 @@
+"""The tables of the event-driven engine, and the names of their columns."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.kernels.grid import classes
+
+__all__ = ["Tables", "tables"]
+
+# Columns of `flight`, one row of 64 bytes a particle.
+X, Y, VX, VY, T0, RADIUS, T_EVENT, T_CROSS = range(8)
+# Columns of `link`, int32: neighbours in the list of the cell, the cell, the level, the partner of the next event,
+# neighbours in the bucket, the place in the queue.
+NEXT, PREV, CELL, LEVEL, PARTNER, Q_NEXT, Q_PREV, PLACE = range(8)
+# Values of PARTNER below zero; wall w is WALL - w.
+NOBODY, STALE, WALL = -1, -2, -3
+# Values of PLACE below zero; bucket b of the ring is b, position p of the heap is p plus the size of the ring.
+NOWHERE, LATER = -1, -2
+# Columns of `levels`: columns, rows, first cell, how many images aside a pair can be (x, y), finest cells a cell (x, y).
+COLUMNS, ROWS, FIRST, IMAGES_X, IMAGES_Y, FACTOR_X, FACTOR_Y = range(7)
+# Entries of `counter`: current bucket, size of the heap, events, pair tests, predictions, crossings, stale events.
+CURRENT, HEAP, EVENTS, TESTS, PREDICTIONS, CROSSINGS, STALES = range(7)
+# Entries of `number`: buckets per time, end of the epoch.
+BUCKETS_PER_TIME, HORIZON = range(2)
+
+
+class Tables(NamedTuple):
+    """Everything the kernels share. Rows are those of the state (ascending id).
+
+    Attributes
+    ----------
+    flight : (n, 8) float64: reference position, velocity and time, radius, times of the next event and cell crossing
+    link : (n, 8) int32, see the columns above
+    head : (cells,) int32, first particle of each cell, -1 if empty
+    ring : (buckets,) int32, first particle of each bucket of the calendar
+    heap : (n,) int32, the particles whose events lie in the current bucket
+    levels : (levels, 7) int64 and sides : (levels, 2) float64 [length], the grids, finest first
+    counter : (7,) int64; number : (2,) float64
+    """
+
+    flight: NDArray[np.float64]
+    link: NDArray[np.int32]
+    head: NDArray[np.int32]
+    ring: NDArray[np.int32]
+    heap: NDArray[np.int32]
+    levels: NDArray[np.int64]
+    sides: NDArray[np.float64]
+    counter: NDArray[np.int64]
+    number: NDArray[np.float64]
+
+
+def _grids(
+    level: NDArray[np.int32], largest: NDArray[np.float64], size: tuple[float, float], periodic: tuple[bool, bool]
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Nested grids: each cell of a coarser level is divided into whole cells of the next finer one."""
+    members = np.maximum(np.bincount(level, minlength=largest.size), 1)
+    wanted = np.maximum(2.0 * largest * (1 + 1e-6), np.sqrt(size[0] * size[1] / members))
+    count = largest.size
+    levels = np.zeros((count, 7), np.int64)
+    sides = np.zeros((count, 2))
+    for axis in range(2):
+        side, cells = size[axis], 1
+        for k in range(count - 1, -1, -1):
+            parts = max(1, int(side / wanted[k]))
+            side, cells = side / parts, cells * parts
+            levels[k, COLUMNS + axis] = cells
+            sides[k, axis] = size[axis] / cells
+            if periodic[axis] and cells <= 4:
+                levels[k, IMAGES_X + axis] = 2 if cells == 1 else 1
+        levels[:, FACTOR_X + axis] = levels[0, COLUMNS + axis] // levels[:, COLUMNS + axis]
+    cells_of = levels[:, COLUMNS] * levels[:, ROWS]
+    levels[:, FIRST] = np.concatenate([[0], np.cumsum(cells_of)[:-1]])
+    return levels, sides
+
+
+def tables(
+    radius: NDArray[np.float64], size: tuple[float, float], periodic: tuple[bool, bool], ratio: float = 2.0
+) -> Tables:
+    """Empty tables for discs of these radii (n,) [length] in a rectangle of this size [length]."""
+    n = radius.shape[0]
+    level, largest = classes(radius, ratio)
+    levels, sides = _grids(level, largest, size, periodic)
+    cells = int((levels[:, COLUMNS] * levels[:, ROWS]).sum())
+    flight = np.zeros((n, 8))
+    flight[:, RADIUS] = radius
+    link = np.full((n, 8), -1, np.int32)
+    link[:, LEVEL] = level
+    buckets = 1 << max(4, int(2 * n - 1).bit_length())
+    return Tables(
+        flight,
+        link,
+        np.full(cells, -1, np.int32),
+        np.full(buckets, -1, np.int32),
+        np.zeros(n, np.int32),
+        levels,
+        sides,
+        np.zeros(7, np.int64),
+        np.ones(2),
+    )
