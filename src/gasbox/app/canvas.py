@@ -22,7 +22,8 @@ class LabCanvas(Element, component="frontend/lab_canvas.js", esm={"gasbox-core":
     renderer : ``gl``, ``cpu``, or chosen by a probe of the browser; ``?renderer=`` in the address wins
     on_pick : called with the id of the disc that was clicked, or None for a click beside all discs
     on_notice : called with what the server has to say: a dict with ``kind`` ``preparing`` (``done``,
-        ``total``, ``name``), ``ready``, ``busy`` (``text``), ``trouble`` (``text``), ``lost`` or ``connected``
+        ``total``, ``name``), ``ready``, ``busy`` (``text``), ``trouble``
+        (``text``), ``lost`` or ``connected``
     """
 
     def __init__(

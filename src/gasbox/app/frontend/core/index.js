@@ -1,3 +1,176 @@
+// The live box, without any framework: createLab(element, options) draws a session's frames into an element.
+import { mix, parse } from "./color.js";
+import { CpuRenderer } from "./cpu.js";
+import { Gestures, pick } from "./gestures.js";
+import { Message } from "./message.js";
+import { Trail, drawOverlay } from "./overlay.js";
+import { chooseRenderer } from "./probe.js";
+import { decodeFrame, decodeTable } from "./protocol.js";
+import { FrameSocket } from "./socket.js";
+import { Stats } from "./stats.js";
+import { installStyle, readTheme, watchTheme } from "./theme.js";
+import { View } from "./view.js";
+import { GlRenderer } from "./webgl2.js";
+
+export { decodeFrame, decodeTable };
+
+const DIMMED = 0.8; // share of the background in discs that are not highlighted
+const SLACK = 5; // CSS pixels by which a click may miss a small disc
+
+// options: session (id), renderer ("cpu", "gl", else by probe), onPick(row or null), onNotice({ kind, ... })
 export function createLab(element, options) {
-  return { destroy() {}, resetView() {} };
+  return new Lab(element, options);
+}
+
+class Lab {
+  constructor(element, { session, renderer, onPick, onNotice }) {
+    installStyle();
+    this.element = element;
+    this.onPick = onPick;
+    this.onNotice = onNotice;
+    this.view = new View();
+    this.trail = new Trail();
+    this.message = new Message(element);
+    this.renderer = this.makeRenderer(chooseRenderer(renderer));
+    this.stats = window.gasboxStats = new Stats(this.renderer.name);
+    this.table = this.frame = null;
+    this.ticket = 0;
+    this.unwatch = watchTheme(() => this.restyle());
+    this.sizer = new ResizeObserver((entries) => this.resized(entries[0]));
+    this.observeSize();
+    this.gestures = new Gestures(element, this.view, {
+      onView: () => this.schedule(),
+      onPick: (px, py) => this.picked(px, py),
+    });
+    this.restyle();
+    this.socket = new FrameSocket(session, {
+      onFrame: () => this.schedule(),
+      onText: (message) => this.hear(message),
+    });
+  }
+
+  makeRenderer(kind) {
+    const canvas = document.createElement("canvas");
+    this.element.prepend(canvas);
+    if (kind === "cpu") return new CpuRenderer(canvas);
+    const overlay = document.createElement("canvas");
+    overlay.className = "gasbox-overlay";
+    canvas.after(overlay);
+    try {
+      return new GlRenderer(canvas, overlay);
+    } catch {
+      canvas.remove();
+      overlay.remove();
+      return this.makeRenderer("cpu");
+    }
+  }
+
+  observeSize() {
+    try {
+      this.sizer.observe(this.element, { box: "device-pixel-content-box" });
+    } catch {
+      this.sizer.observe(this.element); // Safari
+    }
+  }
+
+  resized(entry) {
+    const exact = entry.devicePixelContentBoxSize?.[0];
+    const ratio = window.devicePixelRatio || 1;
+    const width = exact ? exact.inlineSize : Math.round(entry.contentRect.width * ratio);
+    const height = exact ? exact.blockSize : Math.round(entry.contentRect.height * ratio);
+    if (width < 1 || height < 1) return;
+    this.renderer.resize(width, height);
+    this.view.resize(width, height, ratio);
+    this.sized = true;
+    this.redraw();
+  }
+
+  restyle() {
+    this.theme = readTheme(this.element);
+    if (this.table) this.mixColors();
+    this.schedule();
+  }
+
+  mixColors() {
+    const strong = this.table.colors.map((color) => parse(color));
+    this.palette = { strong, dim: strong.map((color) => mix(color, this.theme.box, DIMMED)) };
+  }
+
+  hear(message) {
+    if (message.kind === "table") {
+      this.table = decodeTable(message);
+      this.frame = null;
+      this.view.setBox(this.table.width, this.table.height);
+      this.mixColors();
+      this.stats.connected = true;
+    } else if (message.kind === "lost") {
+      this.stats.connected = false;
+    }
+    this.message.show(message);
+    this.onNotice?.(message.kind === "table" ? { kind: "connected" } : message);
+  }
+
+  schedule() {
+    this.ticket ||= requestAnimationFrame(() => this.tick());
+  }
+
+  // Once per screen frame at most: the newest frame only. The ack goes out even if drawing fails.
+  tick() {
+    this.ticket = 0;
+    const { socket } = this;
+    this.stats.received += socket.received - socket.acked;
+    try {
+      const began = performance.now();
+      const fresh = this.takeNewest();
+      this.redraw();
+      if (fresh && this.sized) {
+        socket.drawn++;
+        this.stats.drew(this.frame, began);
+      }
+    } catch (error) {
+      this.stats.errors++;
+      console.error(error);
+    } finally {
+      socket.ack();
+    }
+  }
+
+  takeNewest() {
+    const { newest } = this.socket;
+    this.socket.newest = null;
+    if (!newest || !this.table) return false;
+    const frame = decodeFrame(newest);
+    if (frame.generation !== this.table.generation) return false;
+    this.frame = frame;
+    this.trail.add(frame);
+    return true;
+  }
+
+  redraw() {
+    if (!this.table || !this.sized) return;
+    const { frame, table, view, theme, palette, trail } = this;
+    const scene = { frame, table, view, theme, palette, trail };
+    this.renderer.draw(scene);
+    drawOverlay(this.renderer.overlay, scene);
+  }
+
+  picked(px, py) {
+    if (!this.frame) return;
+    const [x, y] = this.view.toBox(px, py);
+    this.onPick?.(pick(this.frame, this.table, x, y, (SLACK * this.view.ratio) / this.view.scale));
+  }
+
+  resetView() {
+    this.gestures.reset();
+  }
+
+  destroy() {
+    cancelAnimationFrame(this.ticket);
+    this.socket.close();
+    this.gestures.destroy();
+    this.sizer.disconnect();
+    this.unwatch();
+    this.renderer.destroy();
+    this.element.replaceChildren();
+  }
 }

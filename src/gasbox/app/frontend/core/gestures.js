@@ -1,0 +1,113 @@
+// Wheel and pinch zoom, drag to move, double click or "0" to see all again, click to pick a disc.
+
+const CLICK = 5; // CSS pixels that a finger may slip and still click
+
+export class Gestures {
+  // onView() after a change of the view; onPick(px, py) in device pixels.
+  constructor(element, view, { onView, onPick }) {
+    this.element = element;
+    this.view = view;
+    this.onView = onView;
+    this.onPick = onPick;
+    this.pointers = new Map();
+    this.ender = new AbortController();
+    const on = (type, handler, options) =>
+      element.addEventListener(type, handler.bind(this), { signal: this.ender.signal, ...options });
+    on("wheel", this.wheel, { passive: false });
+    on("pointerdown", this.down);
+    on("pointermove", this.move);
+    on("pointerup", this.up);
+    on("pointercancel", this.cancel);
+    on("dblclick", this.reset);
+    window.addEventListener("keydown", (event) => this.key(event), { signal: this.ender.signal });
+  }
+
+  place(event) {
+    const frame = this.element.getBoundingClientRect();
+    return [(event.clientX - frame.left) * this.view.ratio, (event.clientY - frame.top) * this.view.ratio];
+  }
+
+  wheel(event) {
+    event.preventDefault();
+    const lines = event.deltaMode === 1 ? 33 : event.deltaMode === 2 ? 400 : 1;
+    const strength = event.ctrlKey ? 0.01 : 0.0015; // a pinch on a touchpad arrives as ctrl + wheel
+    this.view.zoomAt(Math.exp(-event.deltaY * lines * strength), ...this.place(event));
+    this.changed();
+  }
+
+  down(event) {
+    if (event.button !== 0) return;
+    this.element.setPointerCapture(event.pointerId);
+    this.pointers.set(event.pointerId, this.place(event));
+    this.slipped = this.pointers.size > 1 ? Infinity : 0;
+  }
+
+  move(event) {
+    const before = this.pointers.get(event.pointerId);
+    if (!before) return;
+    const now = this.place(event);
+    this.slipped += Math.abs(now[0] - before[0]) + Math.abs(now[1] - before[1]);
+    if (this.pointers.size === 2) this.pinch(event.pointerId, before, now);
+    else if (this.view.zoom > 1 && this.slipped > CLICK * this.view.ratio) {
+      this.view.pan(now[0] - before[0], now[1] - before[1]);
+      this.changed();
+    }
+    this.pointers.set(event.pointerId, now);
+  }
+
+  pinch(id, before, now) {
+    const [, other] = [...this.pointers].find(([key]) => key !== id);
+    const distance = ([x, y]) => Math.max(1, Math.sqrt((x - other[0]) ** 2 + (y - other[1]) ** 2));
+    this.view.zoomAt(distance(now) / distance(before), (now[0] + other[0]) / 2, (now[1] + other[1]) / 2);
+    this.view.pan((now[0] - before[0]) / 2, (now[1] - before[1]) / 2);
+    this.changed();
+  }
+
+  up(event) {
+    if (!this.pointers.delete(event.pointerId)) return;
+    if (this.slipped <= CLICK * this.view.ratio) this.onPick(...this.place(event));
+  }
+
+  cancel(event) {
+    this.pointers.delete(event.pointerId);
+  }
+
+  key(event) {
+    const typing = event.target.closest?.("input, textarea, select, [contenteditable]");
+    if (event.key === "0" && !typing && !event.ctrlKey && !event.metaKey && !event.altKey) this.reset();
+  }
+
+  reset() {
+    this.view.reset();
+    this.changed();
+  }
+
+  // While all is seen, one finger scrolls the page (on a phone); zoomed in, it moves the box.
+  changed() {
+    this.element.style.touchAction = this.view.zoom > 1 ? "none" : "pan-y";
+    this.onView();
+  }
+
+  destroy() {
+    this.ender.abort();
+  }
+}
+
+// Row of the disc at a place in the box, or null. Small discs may be missed by `slack` [length].
+export function pick(frame, table, x, y, slack) {
+  let best = null;
+  let least = Infinity;
+  for (let i = 0; i < frame.count; i++) {
+    let dx = Math.abs(frame.position[2 * i] - x);
+    let dy = Math.abs(frame.position[2 * i + 1] - y);
+    if (table.periodicX) dx = Math.min(dx, table.width - dx);
+    if (table.periodicY) dy = Math.min(dy, table.height - dy);
+    const distance = dx * dx + dy * dy;
+    const reach = Math.max(table.radii[frame.species[i]], slack);
+    if (distance <= reach * reach && distance < least) {
+      least = distance;
+      best = i;
+    }
+  }
+  return best;
+}

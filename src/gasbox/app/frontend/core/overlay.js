@@ -1,0 +1,83 @@
+// Lines over the discs: the boundary (solid where there is a wall, dashed where the box is periodic), ring and trail.
+
+export function drawOverlay(context, scene) {
+  if (!context || !scene.table) return;
+  context.save();
+  boundary(context, scene);
+  trail(context, scene);
+  ring(context, scene);
+  context.restore();
+}
+
+function boundary(context, { table, view, theme }) {
+  const line = Math.max(1, Math.round(1.5 * view.ratio));
+  const left = Math.round(view.originX) - line / 2; // outside, so that touching discs are whole
+  const right = Math.round(view.originX + table.width * view.scale) + line / 2;
+  const top = Math.round(view.originY - table.height * view.scale) - line / 2;
+  const bottom = Math.round(view.originY) + line / 2;
+  context.strokeStyle = theme.wall;
+  context.lineWidth = line;
+  context.lineCap = "square";
+  const side = (x0, y0, x1, y1, periodic) => {
+    context.setLineDash(periodic ? [4 * line, 4 * line] : []);
+    context.beginPath();
+    context.moveTo(x0, y0);
+    context.lineTo(x1, y1);
+    context.stroke();
+  };
+  side(left, top, left, bottom, table.periodicX);
+  side(right, top, right, bottom, table.periodicX);
+  side(left, top, right, top, table.periodicY);
+  side(left, bottom, right, bottom, table.periodicY);
+  context.setLineDash([]);
+}
+
+function trail(context, { trail, view, theme, table }) {
+  const points = trail.points;
+  if (points.length < 2) return;
+  context.strokeStyle = theme.ring;
+  context.lineWidth = 1.5 * view.ratio;
+  context.lineJoin = "round";
+  for (let k = 1; k < points.length; k++) {
+    const [x0, y0] = points[k - 1];
+    const [x1, y1] = points[k];
+    // A jump to the other side of a periodic box is no way.
+    if (Math.abs(x1 - x0) > table.width / 2 || Math.abs(y1 - y0) > table.height / 2) continue;
+    context.globalAlpha = 0.75 * (k / points.length);
+    context.beginPath();
+    context.moveTo(view.originX + x0 * view.scale, view.originY - y0 * view.scale);
+    context.lineTo(view.originX + x1 * view.scale, view.originY - y1 * view.scale);
+    context.stroke();
+  }
+  context.globalAlpha = 1;
+}
+
+function ring(context, { frame, view, theme, table }) {
+  if (!frame?.followed) return;
+  const { row, x, y } = frame.followed;
+  const radius = (table.radii[frame.species[row]] ?? 0) * view.scale;
+  context.strokeStyle = theme.ring;
+  context.lineWidth = 2 * view.ratio;
+  context.beginPath();
+  context.arc(view.originX + x * view.scale, view.originY - y * view.scale, radius + 3 * view.ratio, 0, 2 * Math.PI);
+  context.stroke();
+}
+
+// Where the followed disc has been, lately.
+export class Trail {
+  constructor(most = 180) {
+    this.most = most;
+    this.points = [];
+    this.whose = null;
+  }
+
+  add(frame) {
+    const whose = frame.followed ? `${frame.generation}:${frame.followed.id}` : null;
+    if (whose !== this.whose || frame.time < this.time) this.points = [];
+    this.whose = whose;
+    if (!frame.followed || frame.time === this.time) return;
+    this.time = frame.time;
+    this.points.push([frame.followed.x, frame.followed.y]);
+    if (this.points.length > this.most) this.points.shift();
+  }
+}

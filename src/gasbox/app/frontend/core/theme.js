@@ -1,0 +1,52 @@
+// Colours of the box, from CSS variables, so that a page or a style sheet can set them:
+// --gasbox-box (inside), --gasbox-outside, --gasbox-wall, --gasbox-ring (followed disc).
+// Light or dark follows the system, unless data-theme="light|dark" on <html> or NiceGUI's body--dark says otherwise.
+import { parse } from "./color.js";
+
+const LIGHT = "--gasbox-box:#ffffff;--gasbox-outside:#f2f4f7;--gasbox-wall:#3d4756;--gasbox-ring:#111827;";
+const DARK = "--gasbox-box:#12161d;--gasbox-outside:#0b0e13;--gasbox-wall:#a9b4c4;--gasbox-ring:#ffffff;";
+const STYLE = `
+:where(:root){${LIGHT}}
+@media (prefers-color-scheme: dark){:where(:root:not([data-theme="light"])){${DARK}}}
+:where([data-theme="light"]),:where(body.body--light){${LIGHT}}
+:where([data-theme="dark"]),:where(body.body--dark){${DARK}}
+.gasbox-lab{position:relative;overflow:hidden;touch-action:pan-y;user-select:none;-webkit-user-select:none}
+.gasbox-lab canvas{position:absolute;inset:0;width:100%;height:100%;display:block}
+.gasbox-lab canvas.gasbox-overlay{pointer-events:none}
+.gasbox-message{position:absolute;left:50%;top:50%;transform:translate(-50%,-50%);max-width:80%;padding:.8em 1.2em;
+border-radius:.6em;text-align:center;background:var(--gasbox-outside);color:var(--gasbox-wall);
+border:1px solid var(--gasbox-wall)}
+.gasbox-message[hidden]{display:none}`;
+
+export function installStyle() {
+  if (document.getElementById("gasbox-style")) return;
+  const style = document.createElement("style");
+  style.id = "gasbox-style";
+  style.textContent = STYLE;
+  document.head.prepend(style);
+}
+
+export function readTheme(element) {
+  const style = getComputedStyle(element);
+  const read = (name) => style.getPropertyValue(`--gasbox-${name}`).trim();
+  return {
+    box: parse(read("box"), [255, 255, 255]),
+    outside: parse(read("outside"), [242, 244, 247]),
+    wall: read("wall") || "#3d4756",
+    ring: read("ring") || "#111827",
+  };
+}
+
+// Calls back whenever light or dark may have changed; returns a function that ends this.
+export function watchTheme(callback) {
+  const media = matchMedia("(prefers-color-scheme: dark)");
+  media.addEventListener("change", callback);
+  const observer = new MutationObserver(callback);
+  for (const node of [document.documentElement, document.body]) {
+    observer.observe(node, { attributes: true, attributeFilter: ["class", "data-theme", "style"] });
+  }
+  return () => {
+    media.removeEventListener("change", callback);
+    observer.disconnect();
+  };
+}

@@ -1,0 +1,211 @@
+// The WebGL2 renderer for graphics hardware: one quad per disc, drawn by instancing, with a second canvas for lines.
+
+const VERTEX = `#version 300 es
+precision highp float;
+layout(location = 0) in vec2 position;
+layout(location = 1) in uint species;
+layout(location = 2) in uint lit;
+uniform vec2 size;      // of the canvas, in pixels
+uniform vec2 origin;    // pixel of the box's corner (0, 0), y down
+uniform float scale;    // pixels per length
+uniform vec2 box;       // its width and height
+uniform ivec2 image;    // which periodic image: -1, 0 or 1 along x and y
+uniform bool dimmed;
+uniform highp sampler2D radii;
+uniform sampler2D palette;   // row 0 strong, row 1 dim
+flat out vec4 color;
+flat out float radius;
+out vec2 place;
+void main() {
+  radius = texelFetch(radii, ivec2(int(species), 0), 0).r;
+  vec2 center = position + vec2(image) * box;
+  vec2 shift = vec2(image);
+  // An image is drawn only if it reaches into the box.
+  bool seen = all(lessThan(-vec2(radius) * abs(shift), (center) * abs(shift) + vec2(1e-30)))
+           && all(lessThan((center - box) * abs(shift), vec2(radius) * abs(shift) + vec2(1e-30)));
+  radius *= scale;
+  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+  place = corner * (radius + 1.0);
+  vec2 pixel = vec2(origin.x, origin.y) + vec2(center.x, -center.y) * scale + place;
+  vec2 clip = pixel / size * 2.0 - 1.0;
+  gl_Position = seen ? vec4(clip.x, -clip.y, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  color = texelFetch(palette, ivec2(int(species), dimmed && lit == 0u ? 1 : 0), 0);
+}`;
+
+const FRAGMENT = `#version 300 es
+precision highp float;
+flat in vec4 color;
+flat in float radius;
+in vec2 place;
+out vec4 result;
+void main() {
+  float alpha = clamp(radius - length(place) + 0.5, 0.0, 1.0) * min(1.0, radius * 2.0);
+  if (alpha <= 0.0) discard;
+  result = vec4(color.rgb * alpha, alpha);
+}`;
+
+const KINDS = 256;
+
+export class GlRenderer {
+  constructor(canvas, overlayCanvas) {
+    this.name = "gl";
+    this.canvas = canvas;
+    this.overlayCanvas = overlayCanvas;
+    this.overlay = overlayCanvas.getContext("2d");
+    this.gl = canvas.getContext("webgl2", { alpha: false, antialias: false, preserveDrawingBuffer: false });
+    if (!this.gl) throw new Error("WebGL2 is not available");
+    this.capacity = 0;
+    this.setUp();
+    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.capacity = 0;
+      this.setUp();
+    });
+  }
+
+  setUp() {
+    const { gl } = this;
+    this.program = link(gl);
+    gl.useProgram(this.program);
+    this.at = (name) => gl.getUniformLocation(this.program, name);
+    gl.uniform1i(this.at("radii"), 0);
+    gl.uniform1i(this.at("palette"), 1);
+    this.radii = texture(gl, gl.TEXTURE0);
+    this.palette = texture(gl, gl.TEXTURE1);
+    this.buffers = [gl.createBuffer(), gl.createBuffer(), gl.createBuffer()];
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+  }
+
+  resize(width, height) {
+    for (const canvas of [this.canvas, this.overlayCanvas]) {
+      canvas.width = width;
+      canvas.height = height;
+    }
+  }
+
+  draw(scene) {
+    const { gl } = this;
+    const { width, height } = this.canvas;
+    this.overlay.clearRect(0, 0, width, height);
+    gl.viewport(0, 0, width, height);
+    gl.disable(gl.SCISSOR_TEST);
+    clear(gl, scene.theme.outside);
+    gl.enable(gl.SCISSOR_TEST);
+    const [left, bottom, boxWidth, boxHeight] = this.box(scene);
+    gl.scissor(left, bottom, boxWidth, boxHeight);
+    clear(gl, scene.theme.box);
+    if (!scene.frame || scene.frame.count === 0) return;
+    const { periodicX, periodicY } = scene.table;
+    gl.scissor(
+      periodicX ? left : 0,
+      periodicY ? bottom : 0,
+      periodicX ? boxWidth : width,
+      periodicY ? boxHeight : height,
+    );
+    this.upload(scene);
+    this.instances(scene);
+  }
+
+  // In pixels from the lower left corner: left, bottom, width, height of the box on the canvas.
+  box({ view, table }) {
+    const { width, height } = this.canvas;
+    const within = (value, most) => Math.min(Math.max(Math.round(value), 0), most);
+    const left = within(view.originX, width);
+    const right = within(view.originX + table.width * view.scale, width);
+    const top = within(view.originY - table.height * view.scale, height);
+    const bottom = within(view.originY, height);
+    return [left, height - bottom, right - left, bottom - top];
+  }
+
+  upload(scene) {
+    const { gl } = this;
+    const { frame, table, palette } = scene;
+    const [position, species, lit] = this.buffers;
+    const fresh = frame.count > this.capacity;
+    if (fresh) this.capacity = Math.ceil(frame.count * 1.25);
+    store(gl, position, frame.position, fresh && this.capacity * 8);
+    store(gl, species, frame.species, fresh && this.capacity);
+    store(gl, lit, unpacked(frame), fresh && this.capacity);
+    attribute(gl, 0, position, 2, gl.FLOAT);
+    attribute(gl, 1, species, 1, gl.UNSIGNED_BYTE);
+    attribute(gl, 2, lit, 1, gl.UNSIGNED_BYTE);
+    const radii = new Float32Array(KINDS);
+    radii.set(table.radii);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, KINDS, 1, 0, gl.RED, gl.FLOAT, radii);
+    const colors = new Uint8Array(KINDS * 2 * 4).fill(255);
+    palette.strong.forEach((color, k) => colors.set(color, 4 * k));
+    palette.dim.forEach((color, k) => colors.set(color, 4 * (KINDS + k)));
+    gl.activeTexture(gl.TEXTURE1);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, KINDS, 2, 0, gl.RGBA, gl.UNSIGNED_BYTE, colors);
+  }
+
+  instances({ frame, table, view }) {
+    const { gl } = this;
+    gl.uniform2f(this.at("size"), this.canvas.width, this.canvas.height);
+    gl.uniform2f(this.at("origin"), view.originX, view.originY);
+    gl.uniform1f(this.at("scale"), view.scale);
+    gl.uniform2f(this.at("box"), table.width, table.height);
+    gl.uniform1i(this.at("dimmed"), frame.highlight === null ? 0 : 1);
+    const along = (periodic) => (periodic ? [-1, 0, 1] : [0]);
+    for (const i of along(table.periodicX)) {
+      for (const j of along(table.periodicY)) {
+        gl.uniform2i(this.at("image"), i, j);
+        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, frame.count);
+      }
+    }
+  }
+
+  destroy() {
+    this.gl.getExtension("WEBGL_lose_context")?.loseContext();
+  }
+}
+
+// One byte per disc: whether it is highlighted.
+function unpacked({ highlight, count }) {
+  const lit = new Uint8Array(count);
+  if (highlight !== null) for (let i = 0; i < count; i++) lit[i] = (highlight[i >> 3] >> (i & 7)) & 1;
+  return lit;
+}
+
+function clear(gl, [r, g, b]) {
+  gl.clearColor(r / 255, g / 255, b / 255, 1);
+  gl.clear(gl.COLOR_BUFFER_BIT);
+}
+
+function store(gl, buffer, data, bytes) {
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+  if (bytes) gl.bufferData(gl.ARRAY_BUFFER, bytes, gl.STREAM_DRAW);
+  gl.bufferSubData(gl.ARRAY_BUFFER, 0, data);
+}
+
+function attribute(gl, index, buffer, size, type) {
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+  gl.enableVertexAttribArray(index);
+  if (type === gl.FLOAT) gl.vertexAttribPointer(index, size, type, false, 0, 0);
+  else gl.vertexAttribIPointer(index, size, type, 0, 0);
+  gl.vertexAttribDivisor(index, 1);
+}
+
+function texture(gl, unit) {
+  const made = gl.createTexture();
+  gl.activeTexture(unit);
+  gl.bindTexture(gl.TEXTURE_2D, made);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  return made;
+}
+
+function link(gl) {
+  const program = gl.createProgram();
+  for (const [type, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
+    const shader = gl.createShader(type);
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) || "shader");
+  return program;
+}
