@@ -1,0 +1,165 @@
+"""What ECharts is told: the options of one histogram, and the changes that follow them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.units import UNIT
+
+__all__ = ["bar_rows", "changes", "curve_rows", "initial"]
+
+_FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'
+_TOOLTIP = """(shown) => {
+  const [, count, low, high, expected] = shown[0].value;
+  const short = (x) => String(+x.toPrecision(3));
+  const row = (name, value) => `<tr><td>${name}</td><td>${value}</td></tr>`;
+  return `<table class="tip"><caption>QUANTITY ${short(low)} – ${short(high)}</caption>`
+    + row("particles", Number.isInteger(count) ? count : count.toFixed(1))
+    + row("theory expects", expected === null ? "–" : expected.toFixed(1)) + "</table>";
+}"""
+
+
+def bar_rows(
+    edges: NDArray[np.float64], counts: NDArray[np.float64], expected: NDArray[np.float64] | None
+) -> list[list[float | None]]:
+    """One row per bin: middle, count, low end, high end, count that theory expects."""
+    return [
+        [
+            _short((low + high) / 2),
+            _short(count),
+            _short(low),
+            _short(high),
+            None if wanted is None else round(wanted, 2),
+        ]
+        for low, high, count, wanted in zip(
+            edges[:-1].tolist(),
+            edges[1:].tolist(),
+            counts.tolist(),
+            [None] * len(counts) if expected is None else expected.tolist(),
+            strict=True,
+        )
+    ]
+
+
+def curve_rows(values: NDArray[np.float64], expected: NDArray[np.float64]) -> list[list[float]]:
+    """The points of the theory curve."""
+    return [[_short(x), round(y, 2)] for x, y in zip(values.tolist(), expected.tolist(), strict=True)]
+
+
+def _short(value: float) -> float:
+    """Five digits are more than a screen shows, and shorter to send."""
+    return float(f"{value:.5g}")
+
+
+def initial(name: str, color: str, quantity: str) -> dict[str, Any]:
+    """The options of an empty histogram; colours of text and lines come from the style sheet."""
+    return {
+        "animation": False,
+        "textStyle": {"fontFamily": _FONT},
+        "aria": {"enabled": True, "label": {"description": _description(name, quantity)}},
+        "grid": {"left": 58, "right": 14, "top": 10, "bottom": 42},
+        "xAxis": {
+            **_axis(axis_name(quantity), 26),
+            "min": 0,
+            "max": 1,
+            "splitLine": {"show": False},
+            "splitNumber": 6,
+        },
+        "yAxis": {
+            **_axis("number of particles", 40),
+            "min": 0,
+            "max": 10,
+            "splitNumber": 3,
+            "axisLine": {"show": False},
+        },
+        "tooltip": {
+            "trigger": "axis",
+            "confine": True,
+            "transitionDuration": 0,
+            "className": "chart-tip",
+            "axisPointer": {
+                "type": "line",
+                "snap": True,
+                "animation": False,
+                "lineStyle": {"color": "var(--muted)"},
+            },
+            ":formatter": _TOOLTIP.replace("QUANTITY", quantity),
+        },
+        "series": [_bars(color), _curve()],
+    }
+
+
+def _description(name: str, quantity: str) -> str:
+    return f"Histogram of the {quantity} of {name}: number of particles in each range, with the curve that theory expects."
+
+
+def axis_name(quantity: str) -> str:
+    """The name of the horizontal axis, with its unit."""
+    return f"{quantity}  ({UNIT[quantity]})"
+
+
+def _axis(name: str, gap: int) -> dict[str, Any]:
+    ink = {"color": "var(--muted)", "fontSize": 11}
+    return {
+        "type": "value",
+        "name": name,
+        "nameLocation": "middle",
+        "nameGap": gap,
+        "nameTextStyle": ink,
+        "axisLabel": {**ink, "hideOverlap": True},
+        "axisLine": {"show": True, "lineStyle": {"color": "var(--line-strong)"}},
+        "axisTick": {"lineStyle": {"color": "var(--line-strong)"}},
+        "splitLine": {"lineStyle": {"color": "var(--line)"}},
+    }
+
+
+def _bars(color: str) -> dict[str, Any]:
+    return {
+        "type": "bar",
+        "name": "particles",
+        "data": [],
+        "barWidth": "94%",
+        "itemStyle": {"color": color, "opacity": 0.85},
+        "emphasis": {
+            "itemStyle": {"color": color, "opacity": 1, "borderColor": "var(--ink)", "borderWidth": 1.5}
+        },
+    }
+
+
+def _curve() -> dict[str, Any]:
+    return {
+        "type": "line",
+        "name": "theory",
+        "data": [],
+        "silent": True,
+        "showSymbol": False,
+        "z": 3,
+        "tooltip": {"show": False},
+        "lineStyle": {"color": "var(--ink)", "width": 1.8},
+        "itemStyle": {"color": "var(--ink)"},
+    }
+
+
+def changes(shown: dict[str, Any], wanted: dict[str, Any]) -> dict[str, Any]:
+    """The smallest option that turns what is `shown` into what is `wanted`; `shown` is brought up to date.
+
+    Both hold ``xAxis`` and ``yAxis`` (dicts) and ``series`` (a list of dicts); `wanted` may hold a part of each.
+    """
+    option: dict[str, Any] = {}
+    for axis in ("xAxis", "yAxis"):
+        new = {key: value for key, value in wanted.get(axis, {}).items() if shown[axis].get(key) != value}
+        if new:
+            option[axis] = new
+            shown[axis].update(new)
+    series = [
+        {key: value for key, value in part.items() if old.get(key) != value}
+        for old, part in zip(shown["series"], wanted.get("series", []), strict=False)
+    ]
+    if any(series):
+        option["series"] = series
+        for old, part in zip(shown["series"], series, strict=False):
+            old.update(part)
+    return option

@@ -1,0 +1,107 @@
+"""The row above the histograms: theory, smoothing, bins and range."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from nicegui import ui
+from nicegui.events import ValueChangeEventArguments
+
+from gasbox.app.bins import BinChoice
+from gasbox.app.charts import Charts
+from gasbox.app.smoothing import CHOICES
+
+__all__ = ["ChartSettings"]
+
+_MOST_BINS = 200
+
+
+class ChartSettings:
+    """Controls that act on the histograms at once.
+
+    Parameters
+    ----------
+    charts : returns the histograms (they are made after this row)
+    changed : called after each change
+    """
+
+    def __init__(self, choice: BinChoice, charts: Callable[[], Charts], changed: Callable[[], None]) -> None:
+        self._charts = charts
+        self._changed = changed
+        self._choice = choice
+        self._showing = False
+        with ui.element("div").classes("chart-settings"):
+            self.theory = (
+                ui.switch("Theory", value=True, on_change=self._theory).props("dense").mark("theory")
+            )
+            self.theory.tooltip("the Maxwell distribution at the temperature of the whole gas  T")
+            ui.element("div").classes("push")
+            ui.label("average over")
+            self.smoothing = ui.select(CHOICES, value=0.0, on_change=self._smooth).mark("smoothing")
+            self.smoothing.props('dense options-dense borderless aria-label="Average over"')
+            with (
+                ui.button(icon="settings", color=None)
+                .props('flat round dense aria-label="Bins and range"')
+                .mark("bins-menu")
+            ):
+                with ui.menu().props("persistent=false") as menu, ui.element("div").classes("bins-form"):
+                    self._form()
+                menu.props('aria-label="Bins and range"')
+        self.show(choice)
+
+    def _form(self) -> None:
+        self._quantity = ui.toggle(
+            {"speed": "speed", "energy": "energy"}, value="speed", on_change=self._cut
+        ).props("dense no-caps unelevated")
+        self._quantity.mark("quantity")
+        self._bins = ui.number("bins", min=1, max=_MOST_BINS, precision=0, on_change=self._cut).mark("bins")
+        self._range = ui.select(
+            {"all": "automatic, the same for all", "own": "automatic, for each its own", "given": "given"},
+            label="range",
+            on_change=self._cut,
+        ).mark("range")
+        with ui.element("div").classes("fields two") as ends:
+            self._minimum = ui.number("from", min=0, on_change=self._cut).mark("minimum")
+            self._maximum = ui.number("to", min=0, on_change=self._cut).mark("maximum")
+        ends.bind_visibility_from(self._range, "value", lambda value: value == "given")
+        for box in (self._bins, self._range, self._minimum, self._maximum):
+            box.props("dense outlined options-dense hide-bottom-space")
+
+    def show(self, choice: BinChoice) -> None:
+        """Show the bins of another scenario."""
+        self._choice = choice
+        self._showing = True
+        self._quantity.set_value(choice.quantity)
+        self._bins.set_value(choice.count)
+        self._minimum.set_value(choice.minimum)
+        self._maximum.set_value(choice.maximum)
+        self._range.set_value("given" if choice.maximum is not None else "own" if choice.own else "all")
+        self._showing = False
+
+    def _theory(self, event: ValueChangeEventArguments) -> None:
+        self._charts().show_theory(bool(event.value))
+        self._changed()
+
+    def _smooth(self, event: ValueChangeEventArguments) -> None:
+        self._charts().smooth(float(event.value))
+        self._changed()
+
+    def _cut(self) -> None:
+        choice = None if self._showing else self._typed()
+        if choice is not None and choice != self._choice:
+            self._choice = choice
+            self._charts().choose(choice)
+            self._changed()
+
+    def _typed(self) -> BinChoice | None:
+        """What the form asks for, or None while it makes no sense."""
+        bins, minimum, maximum = self._bins.value, self._minimum.value, self._maximum.value
+        if bins is None or not 1 <= bins <= _MOST_BINS:
+            return None
+        choice = replace(self._choice, quantity=self._quantity.value, count=int(bins))
+        if self._range.value != "given":
+            return replace(choice, minimum=0.0, maximum=None, own=self._range.value == "own")
+        if minimum is None or maximum is None or not 0 <= minimum < maximum:
+            return None
+        return replace(choice, minimum=float(minimum), maximum=float(maximum), own=False)

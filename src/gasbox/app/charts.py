@@ -1,0 +1,115 @@
+"""The histograms beside the box: one for each species, all cut the same way."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from nicegui import ui
+
+from gasbox.app.bins import BinChoice, automatic_ends, edges_of
+from gasbox.app.histogram import Histogram
+from gasbox.app.sample import Sample
+from gasbox.scenario import Species
+
+__all__ = ["MOST_CHARTS", "Charts"]
+
+MOST_CHARTS = 6
+"""Histograms that have room on the page."""
+
+Lit = Callable[[int, float, float], None]
+
+
+class Charts:
+    """All histograms, and how they are cut.
+
+    Parameters
+    ----------
+    light : called with species, low and high end of the bin that is pointed at
+    dim : called when no bin is pointed at any more
+
+    Attributes
+    ----------
+    choice : the bins as chosen
+    theory : whether the curves are shown
+    window : how long to average [s]
+    """
+
+    def __init__(self, species: Sequence[Species], choice: BinChoice, light: Lit, dim: Callable[[], None]) -> None:
+        self.choice = choice
+        self.theory = True
+        self.window = 0.0
+        self._light = light
+        self._dim = dim
+        self._lit: tuple[int, int] | None = None
+        self._shown: tuple[Any, ...] = ()
+        self._temperature: float | None = None
+        self._automatic: list[float] = []
+        self._root = ui.element("div").classes("histograms")
+        self.histograms: list[Histogram] = []
+        self.build(species, choice)
+
+    def build(self, species: Sequence[Species], choice: BinChoice) -> None:
+        """Make the charts of these species, in place of the old ones."""
+        self.choice = choice
+        self._root.clear()
+        with self._root:
+            shown = enumerate(species[:MOST_CHARTS])
+            self.histograms = [Histogram(index, one, choice, self._pointed) for index, one in shown]
+        self.smooth(self.window)
+        self.forget()
+
+    def choose(self, choice: BinChoice) -> None:
+        """Cut the bins anew."""
+        self.choice = choice
+        self.forget()
+
+    def smooth(self, window: float) -> None:
+        """Average over so many seconds [s]."""
+        self.window = window
+        self._shown = ()
+        for histogram in self.histograms:
+            histogram.smooth(window)
+
+    def show_theory(self, shown: bool) -> None:
+        """Switch the curves on or off."""
+        self.theory = shown
+        self._shown = ()
+
+    def forget(self) -> None:
+        """Another gas: averages and axes start anew."""
+        self._shown = ()
+        self._temperature = None
+        for histogram in self.histograms:
+            histogram.forget()
+
+    def show(self, sample: Sample, temperature: float | None) -> None:
+        """Bring all charts up to date, if anything has changed."""
+        ready = sum(histogram.ready for histogram in self.histograms)
+        state = (sample.version, sample.frame, ready)
+        if state == self._shown:
+            return
+        self._shown = state
+        every = edges_of(self.choice, self._ends(sample, temperature or 0.0))
+        for histogram, edges in zip(self.histograms, every, strict=True):
+            histogram.show(sample, edges, self.choice, self.theory, temperature)
+
+    def _ends(self, sample: Sample, temperature: float) -> list[float]:
+        """The automatic ends of the axes; they stay while the temperature changes little."""
+        old = self._temperature
+        if old is None or not 0.7 * old <= temperature <= 1.4 * old:
+            self._temperature = temperature
+            self._automatic = automatic_ends(sample, self.choice.quantity, len(self.histograms))
+        return self._automatic
+
+    def _pointed(self, index: int, place: int | None) -> None:
+        """The pointer has come to a bin, or left."""
+        if place is None:
+            if self._lit is not None and self._lit[0] == index:
+                self._lit = None
+                self._dim()
+            return
+        edges = self.histograms[index].edges
+        if place + 1 < len(edges) and self._lit != (index, place):
+            self._lit = (index, place)
+            self._light(index, float(edges[place]), float(edges[place + 1]))

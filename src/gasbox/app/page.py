@@ -1,0 +1,184 @@
+"""The page of one browser tab: the box, its histograms, the controls, and the beat that keeps them up to date."""
+
+from __future__ import annotations
+
+import json
+import time
+from pathlib import Path
+
+from nicegui import run, ui
+from nicegui.events import GenericEventArguments
+
+from gasbox.app.bins import BinChoice
+from gasbox.app.chart_settings import ChartSettings
+from gasbox.app.charts import Charts
+from gasbox.app.dialogs import keys_dialog
+from gasbox.app.figures import Figures, figures
+from gasbox.app.files import Files
+from gasbox.app.header import Actions, Header
+from gasbox.app.panel import Panel
+from gasbox.app.readouts import Readouts
+from gasbox.app.sample import Sample
+from gasbox.app.session import Session
+from gasbox.app.shortcuts import SHORTCUTS, action_of
+from gasbox.app.stage import Caption, Stage
+from gasbox.app.transport import Transport
+from gasbox.app.window import SlidingWindow
+
+__all__ = ["BEAT", "Page", "build"]
+
+BEAT = 0.25
+"""Seconds between two updates of charts and numbers."""
+_ASSETS = Path(__file__).parent / "assets"
+_MANY = 20_000
+"""So many particles are counted in a thread, so that frames keep flowing."""
+
+
+def build(session: Session) -> Page:
+    """Build the page of one tab; ``?charts=0`` in the address leaves the histograms out."""
+    request = ui.context.client.request
+    return Page(session, charts=request is None or request.query_params.get("charts") != "0")
+
+
+class Page:
+    """All parts of the page, and what happens between them."""
+
+    def __init__(self, session: Session, *, charts: bool = True) -> None:
+        self.session = session
+        self._window = SlidingWindow()
+        self._scenario = session.scenario
+        self._version = -1
+        self._visible = True
+        self._dark = ui.dark_mode(None)
+        self._keys = keys_dialog()
+        self.files = Files(session, self._loaded)
+        self.panel = Panel(session.scenario, self.files.apply)
+        self._build_bar()
+        self._build_lab()
+        self._show_charts = True
+        if not charts:
+            self.toggle_charts()
+        self._listen()
+        self._timer = ui.timer(BEAT, self.beat)
+
+    # -- building ------------------------------------------------------------------------------------------------
+
+    def _build_bar(self) -> None:
+        actions = Actions(
+            self.files, self.panel.toggle, self._keys.open, self.toggle_charts, self.toggle_dark
+        )
+        self.header = Header(self.session.scenario, actions)
+
+    def _build_lab(self) -> None:
+        scenario = self.session.scenario
+        choice = BinChoice.of(scenario)
+        with ui.element("main").classes("lab") as self._lab:
+            with ui.element("div").classes("stage"):
+                self.caption = Caption(lambda: self.session.follow(None))
+                self.stage = Stage(self.session, self.session.follow)
+                self.transport = Transport(self.session)
+                self.readouts = Readouts()
+            with ui.element("div").classes("charts"):
+                self.chart_settings = ChartSettings(choice, lambda: self.charts, self._redraw)
+                self.charts = Charts(scenario.species, choice, self._light, self.session.clear_highlight)
+        self.caption.show(scenario, ())
+        self._arrange()
+
+    def _listen(self) -> None:
+        keys = [key for shortcut in SHORTCUTS for key in shortcut.keys]
+        settings = json.dumps({"keys": keys, "upload": self.files.upload.id})
+        ui.add_css(_ASSETS / "page.css")
+        ui.add_body_html(
+            f"<script>window.gasboxPage = {settings};\n{(_ASSETS / 'page.js').read_text()}</script>"
+        )
+        ui.label("Drop a scenario or a snapshot here").classes("drop-hint").props('aria-hidden="true"')
+        ui.on("gasbox_key", self._pressed)
+        ui.on("gasbox_visible", self._seen)
+
+    def _arrange(self) -> None:
+        """Make room for as many histograms as there are."""
+        self._lab.classes(add="many") if len(self.charts.histograms) > 3 else self._lab.classes(remove="many")
+
+    # -- what happens --------------------------------------------------------------------------------------------
+
+    async def beat(self) -> None:
+        """Bring charts, numbers and controls up to date."""
+        if not self._visible:
+            return
+        sample = self.session.sample()
+        self.transport.refresh()
+        if sample is None:
+            return
+        if sample.version != self._version:
+            self._changed(sample)
+        self.transport.show_reached(sample.keeping_up or not sample.playing, sample.speed_reached)
+        self.caption.follow(self.session.followed(), sample.scenario)
+        numbers = await self._measure(sample)
+        self.readouts.show(numbers, sample)
+        if self._show_charts:
+            self.charts.show(sample, numbers.temperature)
+
+    async def _measure(self, sample: Sample) -> Figures:
+        lately = self._window.take(time.monotonic(), sample.version, sample.time, sample.tallies)
+        if sample.state.count > _MANY:
+            return await run.io_bound(figures, sample, lately)
+        return figures(sample, lately)
+
+    def _changed(self, sample: Sample) -> None:
+        """Another gas, or the same one from its start."""
+        self._version = sample.version
+        self.stage.open()
+        self.caption.show(sample.scenario, sample.warnings)
+        if sample.scenario is self._scenario:
+            self.charts.forget()
+            return
+        self._scenario = sample.scenario
+        choice = BinChoice.of(sample.scenario)
+        self.chart_settings.show(choice)
+        self.charts.build(sample.scenario.species, choice)
+        self.header.show(sample.scenario)
+        self.panel.show(sample.scenario)
+        self._arrange()
+
+    def _loaded(self) -> None:
+        self._redraw()
+
+    def _redraw(self) -> None:
+        """Do not wait for the next beat."""
+        ui.timer(0, self.beat, once=True)
+
+    def _light(self, species: int, low: float, high: float) -> None:
+        self.session.highlight(species, low, high, self.charts.choice.quantity)
+
+    def toggle_charts(self) -> None:
+        """Show or leave out the histograms."""
+        self._show_charts = not self._show_charts
+        self._lab.classes(remove="bare") if self._show_charts else self._lab.classes(add="bare")
+
+    async def toggle_dark(self) -> None:
+        """From light to dark or back; at first the page follows the system."""
+        dark = await ui.run_javascript("document.body.classList.contains('body--dark')")
+        self._dark.set_value(not dark)
+
+    def _seen(self, event: GenericEventArguments) -> None:
+        self._visible = bool(event.args)
+
+    async def _pressed(self, event: GenericEventArguments) -> None:
+        action = action_of(str(event.args))
+        if action == "save":
+            await self.files.save_snapshot()
+        elif action == "open":
+            ui.run_javascript(f"({self.files.pick})()")
+        elif action == "theory":
+            self.chart_settings.theory.set_value(not self.chart_settings.theory.value)
+        elif action is not None:
+            {
+                "toggle": self.transport.toggle,
+                "step": self.transport.step,
+                "reset": self.transport.reset,
+                "faster": self.transport.faster,
+                "slower": self.transport.slower,
+                "edit": self.panel.toggle,
+                "unfollow": lambda: self.session.follow(None),
+                "keys": self._keys.open,
+            }[action]()

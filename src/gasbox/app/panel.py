@@ -1,0 +1,175 @@
+"""The side panel in which the gas is edited."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Awaitable, Callable
+from typing import Any
+
+from nicegui import ui
+
+from gasbox.app.charts import MOST_CHARTS
+from gasbox.app.draft import Draft, SpeciesDraft
+from gasbox.errors import Problem
+from gasbox.scenario import Scenario
+
+__all__ = ["Panel"]
+
+_KINDS = {"event-driven": "event-driven (exact)", "stepped": "stepped (classroom rule)"}
+_STARTS = {"temperature": "temperature", "speed": "one speed"}
+
+
+class Panel:
+    """A drawer with fields for the species, the container, the seed and the dynamics.
+
+    Parameters
+    ----------
+    apply : takes the scenario as typed, and returns what is wrong with it (nothing: it was applied)
+    """
+
+    def __init__(
+        self, scenario: Scenario, apply: Callable[[dict[str, Any]], Awaitable[list[Problem]]]
+    ) -> None:
+        self._apply = apply
+        self._scenario = scenario
+        self._draft = Draft.of(scenario)
+        self._fields: dict[str, ui.input] = {}
+        self.drawer = ui.right_drawer(value=False, fixed=True, bordered=False)
+        self.drawer.props('width=360 breakpoint=1023 aria-label="Edit the gas"').classes("panel").mark(
+            "panel"
+        )
+        with self.drawer:
+            with ui.element("div").classes("panel-head"):
+                ui.html("<h2>Edit the gas</h2>", sanitize=False)
+                ui.button(icon="close", on_click=self.drawer.hide, color=None).props(
+                    'flat round dense aria-label="Close"'
+                )
+            self._body = ui.element("div").classes("panel-body")
+            with ui.element("div").classes("panel-foot"):
+                self._problems = (
+                    ui.element("div").classes("problems").props('role="alert"').mark("panel-problems")
+                )
+                with ui.element("div").classes("line"):
+                    ui.button("Apply", on_click=self.apply).props("unelevated color=primary").classes(
+                        "grow"
+                    ).mark("apply")
+                    ui.button("Undo edits", on_click=self.revert, color=None).props("flat").mark("revert")
+        self._build()
+
+    def toggle(self) -> None:
+        """Open or close."""
+        self.drawer.toggle()
+
+    def show(self, scenario: Scenario) -> None:
+        """Another gas is in the box: its values replace what was typed."""
+        self._scenario = scenario
+        self.revert()
+
+    def revert(self) -> None:
+        """Back to what is in the box."""
+        self._draft = Draft.of(self._scenario)
+        self._say([])
+        self._build()
+
+    async def apply(self) -> None:
+        """Check, and replace the gas if nothing is wrong; otherwise say what is, and keep what was typed."""
+        self._say(await self._apply(self._draft.to_dict()))
+
+    def _say(self, problems: list[Problem]) -> None:
+        for box in self._fields.values():
+            box.error = None
+        self._problems.clear()
+        if not problems:
+            return
+        with self._problems, ui.element("ul"):
+            for problem in problems:
+                with ui.element("li"):
+                    ui.label(str(problem))
+                if problem.path in self._fields:
+                    self._fields[problem.path].error = problem.allowed
+
+    def _build(self) -> None:
+        self._fields.clear()
+        self._body.clear()
+        with self._body:
+            for index, species in enumerate(self._draft.species):
+                self._species_form(index, species)
+            add = (
+                ui.button("Add a species", icon="add", on_click=self._add, color=None)
+                .props("flat dense")
+                .mark("add-species")
+            )
+            add.set_enabled(len(self._draft.species) < MOST_CHARTS)
+            self._container_form()
+            self._dynamics_form()
+
+    def _field(self, path: str, label: str, owner: Any, attribute: str) -> ui.input:
+        box = ui.input(label).bind_value(owner, attribute).mark(path)
+        box.props("dense outlined hide-bottom-space inputmode=decimal").on("keydown.enter", self.apply)
+        self._fields[path] = box
+        return box
+
+    def _species_form(self, index: int, species: SpeciesDraft) -> None:
+        path = f"species[{index}]"
+        with (
+            ui.element("div").classes("species-form").props(f'role="group" aria-label="Species {index + 1}"')
+        ):
+            with ui.element("div").classes("line"):
+                color = ui.input().bind_value(species, "color").mark(f"{path}.color")
+                color.props('type=color dense borderless aria-label="Colour"').classes("swatch")
+                self._field(f"{path}.name", "name", species, "name").props(remove="inputmode").classes("grow")
+                remove = ui.button(icon="delete_outline", on_click=lambda: self._remove(index), color=None)
+                remove.props('flat round dense aria-label="Remove this species"').mark(f"{path}.remove")
+                remove.set_enabled(len(self._draft.species) > 1)
+            with ui.element("div").classes("fields"):
+                for name in ("count", "mass", "radius"):
+                    self._field(f"{path}.{name}", name, species, name)
+            with ui.element("div").classes("fields two"):
+                self._start_form(path, species)
+
+    def _start_form(self, path: str, species: SpeciesDraft) -> None:
+        choices = _STARTS if "velocities" not in species.kept else {**_STARTS, "velocities": "as listed"}
+        ui.select(choices, label="start with").bind_value(species, "start").props(
+            "dense outlined options-dense"
+        ).mark(f"{path}.start")
+        value = self._field(f"{path}.warmth", "value", species, "warmth")
+        value.bind_visibility_from(species, "start", lambda start: start != "velocities")
+        for name in ("temperature", "speed"):
+            self._fields[f"{path}.{name}"] = value
+
+    def _container_form(self) -> None:
+        draft = self._draft
+        ui.html("<h3>Container</h3>", sanitize=False)
+        with ui.element("div").classes("fields two"):
+            self._field("container.width", "width", draft, "width")
+            self._field("container.height", "height", draft, "height")
+        with ui.element("div").classes("line"):
+            ui.checkbox("periodic in x").bind_value(draft, "periodic_x").props("dense").mark("periodic-x")
+            ui.checkbox("periodic in y").bind_value(draft, "periodic_y").props("dense").mark("periodic-y")
+
+    def _dynamics_form(self) -> None:
+        draft = self._draft
+        ui.html("<h3>Dynamics and chance</h3>", sanitize=False)
+        kind = (
+            ui.select(_KINDS, label="dynamics")
+            .bind_value(draft, "kind")
+            .props("dense outlined options-dense")
+        )
+        kind.mark("dynamics.kind").classes("w-full")
+        with ui.element("div").classes("fields two"):
+            self._field("seed", "seed", draft, "seed").props("inputmode=numeric")
+            step = self._field("dynamics.time_step", "time step", draft, "time_step")
+            step.bind_visibility_from(draft, "kind", lambda kind: kind == "stepped")
+        dice = ui.button("Another seed", icon="casino", on_click=self._roll, color=None).props("flat dense").mark("roll")
+        dice.tooltip("the same gas, drawn anew")
+
+    def _roll(self) -> None:
+        self._draft.seed = str(random.SystemRandom().randrange(1, 1_000_000))
+
+    def _add(self) -> None:
+        self._draft.add_species()
+        self._build()
+
+    def _remove(self, index: int) -> None:
+        del self._draft.species[index]
+        self._build()
