@@ -66,7 +66,14 @@ class Stepped:
         target = self.step_at(until)
         while True:
             status = stepped.advance(
-                arguments.gas(state), self._box, self._grid, self._room, book, self._clock, target, self.time_step
+                arguments.gas(state),
+                self._box,
+                self._grid,
+                self._room,
+                book,
+                self._clock,
+                target,
+                self.time_step,
             )
             if status != stepped.GROW:
                 break

@@ -11,7 +11,19 @@ from gasbox.geometry import Rectangle
 from gasbox.jit import kernel
 from gasbox.state import Contacts, State, Tallies
 
-__all__ = ["DONE", "FULL", "NO_PROGRESS", "Box", "Gas", "Ledger", "box", "book_pair", "book_wall", "gas", "ledger"]
+__all__ = [
+    "DONE",
+    "FULL",
+    "NO_PROGRESS",
+    "Box",
+    "Gas",
+    "Ledger",
+    "book_pair",
+    "book_wall",
+    "box",
+    "gas",
+    "ledger",
+]
 
 DONE = 0
 FULL = 1

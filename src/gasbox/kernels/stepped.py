@@ -44,9 +44,7 @@ def workspace(n: int, capacity: int, progress: NDArray[np.int64] | None = None) 
 
 
 @kernel
-def _drift(
-    position: NDArray[np.float64], velocity: NDArray[np.float64], box: Box, time_step: float
-) -> None:
+def _drift(position: NDArray[np.float64], velocity: NDArray[np.float64], box: Box, time_step: float) -> None:
     for i in range(position.shape[0]):
         x = position[i, 0] + velocity[i, 0] * time_step
         y = position[i, 1] + velocity[i, 1] * time_step
@@ -145,7 +143,20 @@ def _find(gas: Gas, box: Box, grid: Grid, room: Workspace) -> int:
         for level in range(own, levels):
             columns, rows, target = grid.columns[level], grid.rows[level], grid.first[level]
             found = _scan_level(
-                target, level == own, box, columns, rows, begin_slot, end_slot, start, order, x, y, reach, key, found
+                target,
+                level == own,
+                box,
+                columns,
+                rows,
+                begin_slot,
+                end_slot,
+                start,
+                order,
+                x,
+                y,
+                reach,
+                key,
+                found,
             )
     if found <= key.shape[0]:
         key[:found].sort()

@@ -26,9 +26,9 @@ from gasbox.kernels.event_driven.tables import (
     VX,
     VY,
     WALL,
+    Tables,
     X,
     Y,
-    Tables,
 )
 
 __all__ = ["advance"]
@@ -59,7 +59,9 @@ def _free(tables: Tables, i: int) -> None:
 
 
 @kernel
-def _collide(tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, j: int, now: float, epoch: float) -> None:
+def _collide(
+    tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, j: int, now: float, epoch: float
+) -> None:
     """Execute the collision of i and j (i < j); if rounding finds them parting already, let them pass."""
     flight = tables.flight
     _refer(tables, box, i, now)
@@ -81,7 +83,9 @@ def _collide(tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, j: int, n
 
 
 @kernel
-def _bounce(tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, wall: int, now: float, epoch: float) -> None:
+def _bounce(
+    tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, wall: int, now: float, epoch: float
+) -> None:
     """Execute the collision of disc i with a wall, and put it exactly on it."""
     flight = tables.flight
     _refer(tables, box, i, now)

@@ -18,9 +18,7 @@ overlap by less than 1e-24 of a diameter, and rounding could not tell on which s
 
 
 @kernel
-def meeting_time(
-    dx: float, dy: float, dvx: float, dvy: float, sigma: float, start: float
-) -> float:
+def meeting_time(dx: float, dy: float, dvx: float, dvy: float, sigma: float, start: float) -> float:
     """Time at which two discs touch while approaching, infinity if never.
 
     Parameters

@@ -29,9 +29,9 @@ from gasbox.kernels.event_driven.tables import (
     T_EVENT,
     VX,
     VY,
+    Tables,
     X,
     Y,
-    Tables,
 )
 from gasbox.kernels.grid import cell_of
 

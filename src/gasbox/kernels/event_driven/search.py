@@ -40,9 +40,9 @@ from gasbox.kernels.event_driven.tables import (
     VX,
     VY,
     WALL,
+    Tables,
     X,
     Y,
-    Tables,
 )
 from gasbox.kernels.grid import span
 
@@ -128,10 +128,11 @@ def _look(
                     counter[TESTS] += 1
                     time = _pair_time(flight, i, j, now, box, images_x, images_y)
                     if time <= best and time <= flight[j, T_EVENT] and time < math.inf:
-                        better = time < best or (
-                            who >= 0
-                            and (min(i, j), max(i, j)) < (min(i, who), max(i, who))
-                        ) or (who <= WALL)
+                        better = (
+                            time < best
+                            or (who >= 0 and (min(i, j), max(i, j)) < (min(i, who), max(i, who)))
+                            or (who <= WALL)
+                        )
                         if better and _precedes(flight, link, time, i, j, j):
                             best, who = time, j
                 j = link[j, NEXT]
@@ -162,7 +163,13 @@ def _survey(
     who: int,
 ) -> tuple[float, int]:
     """Look through all levels around particle i, or (step not zero) through what a crossing has brought near."""
-    flight, link, head, levels, counter = tables.flight, tables.link, tables.head, tables.levels, tables.counter
+    flight, link, head, levels, counter = (
+        tables.flight,
+        tables.link,
+        tables.head,
+        tables.levels,
+        tables.counter,
+    )
     own = link[i, LEVEL]
     local = link[i, CELL] - levels[own, FIRST]
     column, row = local % levels[own, COLUMNS], local // levels[own, COLUMNS]

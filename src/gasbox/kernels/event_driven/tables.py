@@ -54,7 +54,10 @@ class Tables(NamedTuple):
 
 
 def _grids(
-    level: NDArray[np.int32], largest: NDArray[np.float64], size: tuple[float, float], periodic: tuple[bool, bool]
+    level: NDArray[np.int32],
+    largest: NDArray[np.float64],
+    size: tuple[float, float],
+    periodic: tuple[bool, bool],
 ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Nested grids: each cell of a coarser level is divided into whole cells of the next finer one."""
     members = np.maximum(np.bincount(level, minlength=largest.size), 1)

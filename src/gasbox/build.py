@@ -1,0 +1,181 @@
+"""Make the parts of a simulation from a scenario: the only file that knows every kind."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from gasbox import dynamics as rules
+from gasbox.errors import Problem, ScenarioError
+from gasbox.geometry import Rectangle
+from gasbox.initial import Overlap, populate, separate, worst_overlap
+from gasbox.jit import mark_compiled
+from gasbox.protocols import Dynamics
+from gasbox.scenario import EventDriven, Scenario, Snapshot, Stepped, parse
+from gasbox.state import Contacts, Memory, State, Tallies
+
+__all__ = ["Parts", "build", "compile_kernels"]
+
+_FRAMES_ACROSS = 240
+"""Frames in which a disc of typical speed crosses the shorter side of the box, where no interval is given."""
+
+
+@dataclass
+class Parts:
+    """What a simulation is made of."""
+
+    state: State
+    geometry: Rectangle
+    dynamics: Dynamics
+    frame_interval: float
+    warnings: tuple[str, ...]
+
+
+def build(scenario: Scenario) -> Parts:
+    """All parts for a scenario or a snapshot.
+
+    Raises
+    ------
+    ScenarioError
+        Particles that cannot be placed, or overlap where that is not allowed.
+    """
+    geometry = scenario.container.geometry()
+    state = populate(scenario)
+    warnings: list[str] = []
+    memory = _memory(scenario)
+    if isinstance(scenario.dynamics, EventDriven) and memory is None:
+        _part(state, geometry, scenario, warnings)
+    dynamics = _dynamics(scenario, state, geometry, memory)
+    if isinstance(scenario.dynamics, Stepped):
+        warnings += _tunnelling(state, scenario.dynamics.time_step)
+    return Parts(state, geometry, dynamics, _frame_interval(scenario, state, geometry), tuple(warnings))
+
+
+def _memory(scenario: Scenario) -> Memory | None:
+    """What the snapshot remembers, if it was made by the dynamics that is asked for."""
+    if scenario.snapshot is None:
+        return None
+    memory = scenario.snapshot.memory
+    match scenario.dynamics:
+        case Stepped():
+            return memory if "step" in memory else None
+        case EventDriven():
+            return memory if "epoch" in memory else None
+
+
+def _dynamics(scenario: Scenario, state: State, geometry: Rectangle, memory: Memory | None) -> Dynamics:
+    tallies = _tallies(scenario.snapshot, len(scenario.species), len(Rectangle.WALLS))
+    contacts = Contacts.empty(0)
+    match scenario.dynamics:
+        case Stepped(time_step=time_step):
+            return rules.Stepped(state, geometry, time_step, tallies, contacts, memory)
+        case EventDriven():
+            return rules.EventDriven(state, geometry, tallies, contacts, memory)
+
+
+def _tallies(snapshot: Snapshot | None, species: int, walls: int) -> Tallies:
+    tallies = Tallies.zero(species, walls)
+    if snapshot is not None:
+        for name, values in snapshot.tallies.items():
+            getattr(tallies, name)[...] = np.asarray(values)
+    return tallies
+
+
+def _part(state: State, geometry: Rectangle, scenario: Scenario, warnings: list[str]) -> None:
+    """See to it that no discs overlap: refuse a start with overlaps, separate those left by the stepped rule."""
+    overlap = worst_overlap(state, geometry)
+    if overlap is None:
+        return
+    if scenario.snapshot is None:
+        raise ScenarioError([_overlap_problem(overlap)])
+    moved = separate(state, geometry)
+    warnings.append(
+        f"discs that overlapped under the stepped rule were moved apart, by at most {moved:.3g}: "
+        "event-driven dynamics knows no overlaps"
+    )
+
+
+def _overlap_problem(overlap: Overlap) -> Problem:
+    return Problem(
+        "particles",
+        str(overlap),
+        'discs that do not overlap each other or a wall (touching is fine), or dynamics kind "stepped"',
+    )
+
+
+def _tunnelling(state: State, time_step: float) -> list[str]:
+    if not state.count:
+        return []
+    fastest = float(np.sqrt((state.velocity**2).sum(axis=1).max()))
+    smallest = float(state.radius.min())
+    if fastest * time_step <= smallest:
+        return []
+    return [
+        f"discs can pass through each other: the fastest moves {fastest * time_step:.3g} in a step, "
+        f"the smallest radius is {smallest:.3g}; shorten dynamics.time_step to at most {smallest / fastest:.2g}, "
+        'or use dynamics kind "event-driven"'
+    ]
+
+
+def _frame_interval(scenario: Scenario, state: State, geometry: Rectangle) -> float:
+    """The scenario's own, else one step, else so that the motion is pleasant to watch (rounded to 1, 2 or 5)."""
+    if scenario.frame_interval is not None:
+        return scenario.frame_interval
+    if isinstance(scenario.dynamics, Stepped):
+        return scenario.dynamics.time_step
+    speed = math.sqrt(float((state.velocity**2).sum(axis=1).mean())) if state.count else 0.0
+    if speed == 0.0:
+        return 1.0
+    wanted = min(geometry.width, geometry.height) / speed / _FRAMES_ACROSS
+    power = 10.0 ** math.floor(math.log10(wanted))
+    return max(step * power for step in (1.0, 2.0, 5.0) if step * power <= wanted * (1 + 1e-9))
+
+
+def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> None:
+    """Compile all kernels (first start after an installation) or load them from the cache.
+
+    Parameters
+    ----------
+    progress : called before each part and at the end with (parts done, parts in all, name of the next part)
+    """
+    parts: list[tuple[str, Callable[[], None]]] = [
+        ("placement", lambda: _compile_placement()),
+        ("stepped dynamics", lambda: _run_tiny("stepped")),
+        ("event-driven dynamics", lambda: _run_tiny("event-driven")),
+    ]
+    for done, (name, compile_part) in enumerate(parts):
+        if progress is not None:
+            progress(done, len(parts), name)
+        compile_part()
+    if progress is not None:
+        progress(len(parts), len(parts), "")
+    mark_compiled()
+
+
+def _tiny(kind: str, shape: dict[str, object]) -> Scenario:
+    return parse(
+        {
+            "format": "gasbox-scenario/1",
+            "container": {"shape": "rectangle", "width": 20, "height": 20, **shape},
+            "species": [
+                {"name": "small", "radius": 0.3, "count": 12, "temperature": 1},
+                {"name": "large", "radius": 2, "count": 2, "temperature": 1},
+            ],
+            "dynamics": {"kind": kind},
+        }
+    )
+
+
+def _compile_placement() -> None:
+    parts = build(_tiny("event-driven", {}))
+    parts.state.position[1] = parts.state.position[0] + 0.01
+    separate(parts.state, parts.geometry)
+
+
+def _run_tiny(kind: str) -> None:
+    parts = build(_tiny(kind, {}))
+    parts.dynamics.contacts = Contacts.empty(8)
+    parts.dynamics.advance(parts.state, 2.0)

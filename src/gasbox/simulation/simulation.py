@@ -1,0 +1,170 @@
+"""One gas and its clock: the object that the command line, the page, a notebook and the tests all hold."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from gasbox import observe
+from gasbox.build import build
+from gasbox.errors import UsageError
+from gasbox.protocols import Observer, Status
+from gasbox.scenario import Scenario, load
+from gasbox.simulation import snapshot, summary
+from gasbox.state import Contacts, Frame
+
+__all__ = ["Simulation"]
+
+_CONTACTS = 1 << 16
+"""Room for contacts between two readings, where an observer reads them."""
+
+
+class Simulation:
+    """A gas that can be moved on in time, measured and saved.
+
+    Parameters
+    ----------
+    scenario : a scenario, or a snapshot to go on from
+    observers : what reads the run; whether contacts are written depends on them
+
+    Raises
+    ------
+    ScenarioError
+        Particles that cannot be placed, or overlap where that is not allowed.
+    """
+
+    def __init__(self, scenario: Scenario, observers: Iterable[Observer] = ()) -> None:
+        parts = build(scenario)
+        self.scenario = scenario
+        self.state = parts.state
+        self.geometry = parts.geometry
+        self.dynamics = parts.dynamics
+        self.frame_interval = parts.frame_interval
+        """Simulated time of one frame [time]."""
+        self.warnings = parts.warnings
+        """Sentences about what the user should know of this scenario."""
+        self.frame = 0
+        """Frames done since the start of this run."""
+        self.wall_seconds = 0.0
+        """Seconds spent in the dynamics so far."""
+        self.start_time = self.state.time
+        """Time at the start of this run [time]."""
+        self.start_tallies = self.dynamics.tallies.copy()
+        """Tallies at the start of this run."""
+        self._origin = (self.state.time, 0)
+        self._observers: list[Observer] = []
+        for observer in observers:
+            self.attach(observer)
+
+    @property
+    def time(self) -> float:
+        """Simulated time [time]."""
+        return self.state.time
+
+    def attach(self, observer: Observer) -> None:
+        """Let an observer read the run from now on."""
+        observer.start(self.state, self.dynamics.tallies)
+        self._observers.append(observer)
+        if observer.reads_contacts and self.dynamics.contacts.capacity == 0:
+            self.dynamics.contacts = Contacts.empty(_CONTACTS)
+
+    def advance(self, *, frames: int | None = None, until: float | None = None) -> None:
+        """Move on by a number of frames (default 1), or to the absolute time `until` [time].
+
+        Observers see each frame; a time that is no frame boundary they do not see.
+
+        Raises
+        ------
+        UsageError
+            Both or a time in the past was asked for.
+        DynamicsError
+            The engine cannot go on.
+        """
+        if until is not None:
+            if frames is not None:
+                raise UsageError("give either frames or until, not both")
+            self._advance_to(until)
+            self._origin = (until, self.frame)
+            return
+        for _ in range(1 if frames is None else frames):
+            origin_time, origin_frame = self._origin
+            self._advance_to(origin_time + (self.frame + 1 - origin_frame) * self.frame_interval)
+            self.frame += 1
+            self.observe()
+
+    def observe(self) -> None:
+        """Show the observers the state as it is now."""
+        for observer in self._observers:
+            observer.observe(self.state, self.dynamics.tallies)
+
+    def _advance_to(self, until: float) -> None:
+        # Under the stepped rule the clock stands at a whole step, perhaps a rounding beyond the frame.
+        if not until >= self.time - 1e-9 * max(self.frame_interval, abs(self.time)):
+            raise UsageError(f"until is {until:g}, but the gas is at time {self.time:g} already")
+        begin = clock.perf_counter()
+        while self.dynamics.advance(self.state, until) is Status.FULL:
+            self._read_contacts()
+        self.wall_seconds += clock.perf_counter() - begin
+        self._read_contacts()
+
+    def _read_contacts(self) -> None:
+        contacts = self.dynamics.contacts
+        if contacts.count:
+            for observer in self._observers:
+                if observer.reads_contacts:
+                    observer.read(contacts)
+            contacts.clear()
+
+    def temperature(self) -> float | None:
+        """Temperature of the whole gas [energy]; None where there is none, as for one disc in a periodic box."""
+        return observe.temperature(self.state, self.geometry)
+
+    def pressure(self) -> float | None:
+        """Pressure on the walls, measured over this run [mass/time²]; None without walls, or before it began."""
+        change = self.dynamics.tallies - self.start_tallies
+        radii = summary.radii(self.scenario)
+        return observe.wall_pressure(change, self.geometry, radii, self.time - self.start_time)
+
+    def energy(self) -> float:
+        """Kinetic energy of all particles [energy]."""
+        return observe.kinetic_energy(self.state)
+
+    def momentum(self) -> tuple[float, float]:
+        """Total momentum [mass·length/time]."""
+        x, y = observe.momentum(self.state)
+        return float(x), float(y)
+
+    def frame_view(self) -> Frame:
+        """The present frame; its arrays are the simulation's own."""
+        return Frame(self.frame, self.state, self.dynamics.tallies, self.dynamics.memory())
+
+    def summary(self) -> dict[str, Any]:
+        """What `gasbox run --json` prints."""
+        return summary.summary(self)
+
+    def snapshot(self) -> Scenario:
+        """The scenario with the whole gas in it, to go on from with the same bits."""
+        return snapshot.snapshot(self.scenario, self.frame_view())
+
+    def save(self, path: str | Path) -> None:
+        """Write a snapshot as JSON (compressed if the name ends in .gz).
+
+        Raises
+        ------
+        FileError
+            The file cannot be written.
+        """
+        snapshot.write(self.snapshot(), Path(path))
+
+    @classmethod
+    def restore(cls, source: str | Path | Scenario) -> Simulation:
+        """Go on from a snapshot, or from a file that holds one.
+
+        Raises
+        ------
+        FileError, ScenarioError
+            The file cannot be read or accepted.
+        """
+        return cls(source if isinstance(source, Scenario) else load(str(source)))

@@ -1,0 +1,77 @@
+"""What a run came to, as plain numbers: the summary that the command line prints."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox import observe
+from gasbox.scenario import Scenario, Stepped
+from gasbox.version import __version__
+
+if TYPE_CHECKING:
+    from gasbox.simulation.simulation import Simulation
+
+__all__ = ["radii", "summary"]
+
+
+def radii(scenario: Scenario) -> NDArray[np.float64]:
+    """(species,) float64 [length]: radius of each species."""
+    return np.array([species.radius for species in scenario.species], np.float64)
+
+
+def summary(simulation: Simulation) -> dict[str, Any]:
+    """Numbers of a run so far; those measured in time belong to this run alone. None where there is no value."""
+    state, geometry = simulation.state, simulation.geometry
+    change = simulation.dynamics.tallies - simulation.start_tallies
+    duration = simulation.time - simulation.start_time
+    collisions = int(change.pair_collisions.sum())
+    seconds = simulation.wall_seconds
+    size = radii(simulation.scenario)
+    counts = np.bincount(state.species, minlength=size.size)
+    temperature = simulation.temperature()
+    means = np.array([observe.mean_speed(state, k) or 0.0 for k in range(size.size)])
+    return {
+        "time": simulation.time,
+        "frames": simulation.frame,
+        "particles": state.count,
+        "collisions": collisions,
+        "wall_collisions": int(change.wall_collisions.sum()),
+        "energy": simulation.energy(),
+        "momentum": list(simulation.momentum()),
+        "temperature": temperature,
+        "pressure": simulation.pressure(),
+        "pressure_virial": observe.virial_pressure(
+            change, geometry, size, counts, temperature=temperature, duration=duration
+        ),
+        "mean_free_path": observe.mean_free_path(change, counts, means, duration),
+        "species": [_species(simulation, k, int(counts[k])) for k in range(size.size)],
+        "wall_seconds": seconds,
+        "collisions_per_second": collisions / seconds if seconds > 0 else None,
+        "particle_steps_per_second": _particle_steps(simulation, duration) if seconds > 0 else None,
+        "warnings": list(simulation.warnings),
+        "version": __version__,
+        "scenario_hash": simulation.scenario.hash(),
+    }
+
+
+def _species(simulation: Simulation, k: int, count: int) -> dict[str, Any]:
+    state, geometry = simulation.state, simulation.geometry
+    center = observe.center_of_mass(state, geometry, k)
+    return {
+        "name": simulation.scenario.species[k].name,
+        "count": count,
+        "temperature": observe.species_temperature(state, geometry, k),
+        "mean_speed": observe.mean_speed(state, k),
+        "rms_speed": observe.rms_speed(state, k),
+        "center_of_mass": None if center is None else center.tolist(),
+    }
+
+
+def _particle_steps(simulation: Simulation, duration: float) -> float | None:
+    dynamics = simulation.scenario.dynamics
+    if not isinstance(dynamics, Stepped):
+        return None
+    return round(duration / dynamics.time_step) * simulation.state.count / simulation.wall_seconds
