@@ -12,14 +12,15 @@ import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import numba
-from numba.core import config
+import numba.core.config
 
 __all__ = ["cache_folder", "kernel", "mark_compiled", "was_compiled"]
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
+_config: Any = numba.core.config
 _KERNEL_FOLDER = Path(__file__).parent / "kernels"
 
 
@@ -43,15 +44,15 @@ def cache_folder() -> Path:
 
 def kernel(function: _Function) -> _Function:
     """Compile `function` without fast-math (bits matter), cached, and with the GIL released."""
-    if config.DISABLE_JIT:
+    if _config.DISABLE_JIT:
         return function
-    previous = config.CACHE_DIR
-    config.CACHE_DIR = str(cache_folder())
+    previous = _config.CACHE_DIR
+    _config.CACHE_DIR = str(cache_folder())
     try:
-        compiled: _Function = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+        compiled = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
     finally:
-        config.CACHE_DIR = previous
-    return compiled
+        _config.CACHE_DIR = previous
+    return cast(_Function, compiled)
 
 
 def _mark() -> Path:
@@ -60,11 +61,11 @@ def _mark() -> Path:
 
 def was_compiled() -> bool:
     """Whether `mark_compiled` was reached for these kernel sources on this machine."""
-    return bool(config.DISABLE_JIT) or _mark().exists()
+    return bool(_config.DISABLE_JIT) or _mark().exists()
 
 
 def mark_compiled() -> None:
     """Note that all kernels have been compiled and cached."""
-    if not config.DISABLE_JIT:
+    if not _config.DISABLE_JIT:
         _mark().parent.mkdir(parents=True, exist_ok=True)
         _mark().touch()

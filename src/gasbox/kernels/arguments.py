@@ -60,7 +60,7 @@ class Ledger(NamedTuple):
     pair_collisions: NDArray[np.int64]
     wall_impulse: NDArray[np.float64]
     wall_collisions: NDArray[np.int64]
-    count: NDArray[np.int64]
+    rows: NDArray[np.int64]
     kind: NDArray[np.uint8]
     time: NDArray[np.float64]
     first: NDArray[np.int64]
@@ -80,14 +80,14 @@ def box(geometry: Rectangle) -> Box:
     )
 
 
-def ledger(tallies: Tallies, contacts: Contacts, count: NDArray[np.int64]) -> Ledger:
-    """The ledger over the arrays of `tallies` and `contacts` (no copies); `count` is (1,), the rows in use."""
+def ledger(tallies: Tallies, contacts: Contacts, rows: NDArray[np.int64]) -> Ledger:
+    """The ledger over the arrays of `tallies` and `contacts` (no copies); `rows` is (1,), how many are in use."""
     return Ledger(
         tallies.pair_virial,
         tallies.pair_collisions,
         tallies.wall_impulse,
         tallies.wall_collisions,
-        count,
+        rows,
         contacts.kind,
         contacts.time,
         contacts.first,
@@ -98,14 +98,14 @@ def ledger(tallies: Tallies, contacts: Contacts, count: NDArray[np.int64]) -> Le
 
 @kernel
 def _write(book: Ledger, kind: int, time: float, first: int, second: int, jx: float, jy: float) -> None:
-    row = book.count[0]
+    row = book.rows[0]
     book.kind[row] = kind
     book.time[row] = time
     book.first[row] = first
     book.second[row] = second
     book.impulse[row, 0] = jx
     book.impulse[row, 1] = jy
-    book.count[0] = row + 1
+    book.rows[0] = row + 1
 
 
 @kernel

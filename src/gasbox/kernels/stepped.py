@@ -165,7 +165,7 @@ def _find(gas: Gas, box: Box, grid: Grid, room: Workspace) -> int:
 
 @kernel
 def _full(book: Ledger) -> bool:
-    return book.kind.shape[0] > 0 and book.count[0] >= book.kind.shape[0]
+    return book.kind.shape[0] > 0 and book.rows[0] >= book.kind.shape[0]
 
 
 @kernel

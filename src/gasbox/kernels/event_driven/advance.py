@@ -174,7 +174,7 @@ def advance(tables: Tables, box: Box, gas: Gas, book: Ledger, until: float, epoc
             counter[STALES] += 1
             _free(tables, i)
             predict(tables, box, i, now)
-        elif limited and book.count[0] >= book.kind.shape[0]:
+        elif limited and book.rows[0] >= book.kind.shape[0]:
             return FULL
         elif partner >= 0:
             _pair_event(tables, box, gas, book, i, partner, now, epoch)
