@@ -1,0 +1,44 @@
+"""Where things stand in a recording: the H5MD groups, and gasbox's own beside them.
+
+Source: P. de Buyl, P. H. Colberg and F. Höfling, H5MD: a structured, efficient, and portable file format for
+molecular data, Comput. Phys. Commun. 185 (2014) 1546, doi:10.1016/j.cpc.2014.01.018; format version 1.1.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+__all__ = [
+    "EVERY_FRAME",
+    "FORMAT",
+    "H5MD_VERSION",
+    "LENGTHS",
+    "MEMORY",
+    "NO_PARTICLE",
+    "OBSERVABLES",
+    "OWN",
+    "PARTICLES",
+    "ROSTER",
+    "TALLIES",
+]
+
+FORMAT: Final = "gasbox-recording/1"
+"""Kind and version of the file, an attribute of `OWN`."""
+H5MD_VERSION: Final = (1, 1)
+
+PARTICLES: Final = "particles/all"
+OBSERVABLES: Final = "observables"
+OWN: Final = "parameters/gasbox"
+TALLIES: Final = f"{OWN}/tallies"
+MEMORY: Final = f"{OWN}/memory"
+"""What the dynamics remembers, each frame: what makes the frame resumable to the bit."""
+LENGTHS: Final = f"{OWN}/memory_lengths"
+"""How many entries of a remembered array are valid in each frame; those behind are padding."""
+
+EVERY_FRAME: Final = ("position", "velocity")
+"""Particle fields with a row for each frame."""
+ROSTER: Final = ("id", "species", "mass", "radius")
+"""Particle fields with a new row only when one of them changes; a row holds until the next."""
+
+NO_PARTICLE: Final = -1
+"""Fill value of `id`: this place is empty, since fewer particles were there than at another time."""

@@ -1,0 +1,172 @@
+"""Reads a recording: any frame of it, its numbers over time, and a scenario that goes on from it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.errors import FileError, ScenarioError
+from gasbox.recording import places
+from gasbox.recording.complaints import is_hdf5, reading
+from gasbox.scenario import Particles, Scenario, parse
+from gasbox.state import Frame, State, Tallies
+
+__all__ = ["Recording", "open_recording"]
+
+
+def open_recording(path: str | Path) -> Recording:
+    """The recording in the file `path`; close it, or use it as a context manager.
+
+    Raises
+    ------
+    FileError
+        There is no such file, it is no recording of gasbox, it is damaged, or another program is writing it.
+    """
+    return Recording(Path(path))
+
+
+class Recording:
+    """An open recording.
+
+    Attributes
+    ----------
+    path : the file
+    scenario : what was run
+    version : version of gasbox that wrote it
+    frames : number of complete frames
+    numbers : (frames,) int64, number of each frame since the start of its run
+    times : (frames,) float64 [time]
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        with reading(path):
+            if not is_hdf5(path):
+                raise FileError(f"{path} is not a recording: it is not an HDF5 file")
+            self._file = h5py.File(path, "r", locking="best-effort")
+        try:
+            with reading(path):
+                self._read_header()
+        except BaseException:
+            self._file.close()
+            raise
+
+    def read(self, index: int = -1) -> Frame:
+        """One frame, with arrays of its own; negative indices count from the end.
+
+        Raises
+        ------
+        FileError
+            There is no such frame, or it cannot be read.
+        """
+        row = self._row(index)
+        with reading(self.path):
+            number, time = int(self.numbers[row]), float(self.times[row])
+            tallies = Tallies(**self._values(places.TALLIES, row))
+            return Frame(number, self._state(row, number, time), tallies, self._memory(row))
+
+    def observables(self) -> dict[str, NDArray[np.float64]]:
+        """Name -> (frames, ...) float64: the numbers measured at each frame; NaN where there was no value."""
+        with reading(self.path):
+            elements = self._file.get(places.OBSERVABLES, {}).items()
+            return {name: element["value"][: self.frames].astype(np.float64) for name, element in elements}
+
+    def scenario_at(self, index: int = -1) -> Scenario:
+        """A scenario with a `snapshot`, to go on from a frame with the same bits as if nothing had stopped.
+
+        Raises
+        ------
+        FileError
+            There is no such frame, it cannot be read, or particles came or went before it.
+        """
+        frame = self.read(index)
+        state = frame.state
+        if not np.array_equal(state.id, np.arange(state.count)):
+            raise FileError(f"{self.path}: frame {index} cannot be resumed: particles came or went before it")
+        with reading(self.path):
+            names = [species.name for species in self.scenario.species]
+            species = [names[number] for number in state.species]
+            tallies = {name: sums.tolist() for name, sums in vars(frame.tallies).items()}
+            memory = {"memory": frame.memory, "tallies": tallies}
+            return parse(
+                {
+                    **self.scenario.model_copy(update={"particles": None, "snapshot": None}).to_dict(),
+                    "particles": Particles.of(species, state.position, state.velocity),
+                    "snapshot": {"version": self.version, "time": state.time, **memory},
+                },
+                source=f"frame {index} of {self.path}",
+            )
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+    def __enter__(self) -> Recording:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def _read_header(self) -> None:
+        own = self._file.get(places.OWN)
+        found = "" if own is None else own.attrs.get("format", "")
+        if found != places.FORMAT:
+            what = f"its format is {found!r}" if found else "it is HDF5 of another kind"
+            raise FileError(
+                f"{self.path} is no recording that this version reads: {what}, not {places.FORMAT!r}"
+            )
+        self.version = str(own.attrs["version"])
+        try:
+            self.scenario = parse(own["scenario"][()], f"the scenario in {self.path}")
+        except ScenarioError as error:
+            raise FileError(str(error)) from None
+        elements = self._elements()
+        # A kill in the middle of a flush can leave some elements longer than others.
+        self.frames: int = min((len(dataset) for group in elements for dataset in group.values()), default=0)
+        self.numbers = np.array(elements[0]["step"][: self.frames] if elements else [], np.int64)
+        self.times = np.array(elements[0]["time"][: self.frames] if elements else [], np.float64)
+
+    def _elements(self) -> list[h5py.Group]:
+        """All elements that have a row for each frame."""
+        particles = self._file[places.PARTICLES]
+        found = [particles[name] for name in places.EVERY_FRAME if name in particles]
+        for path in (places.TALLIES, places.MEMORY, places.LENGTHS, places.OBSERVABLES):
+            found += self._file.get(path, {}).values()
+        return found
+
+    def _row(self, index: int) -> int:
+        if not self.frames:
+            raise FileError(f"{self.path} holds no frame: the run was stopped before the first was written")
+        if not -self.frames <= index < self.frames:
+            found = (
+                f"its {self.frames} frames are 0 to {self.frames - 1}" if self.frames > 1 else "only frame 0"
+            )
+            raise FileError(f"{self.path} has no frame {index}: {found}")
+        return index % self.frames
+
+    def _state(self, row: int, number: int, time: float) -> State:
+        group = self._file[places.PARTICLES]
+        held = int(np.searchsorted(group["id/step"][:], number, side="right")) - 1
+        there = group["id/value"][held] != places.NO_PARTICLE
+        roster = {name: group[name]["value"][held][there] for name in places.ROSTER}
+        count = int(np.count_nonzero(there))
+        vectors = {name: group[name]["value"][row, :count] for name in places.EVERY_FRAME}
+        return State(time=time, **roster, **vectors)
+
+    def _values(self, group: str, row: int) -> dict[str, Any]:
+        return {name: element["value"][row] for name, element in self._file.get(group, {}).items()}
+
+    def _memory(self, row: int) -> dict[str, Any]:
+        """Numbers as Python numbers, arrays without their padding."""
+        lengths = self._values(places.LENGTHS, row)
+        return {
+            name: value[: lengths[name]] if name in lengths else value.item()
+            for name, value in self._values(places.MEMORY, row).items()
+        }
