@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 from gasbox.app.pace import FRAMES_PER_SECOND, Account, Slices, Ticks
 
 if TYPE_CHECKING:
-    from gasbox.run import Simulation
+    from gasbox.simulation import Simulation
 
 __all__ = ["BUDGET", "Motion"]
 
@@ -37,6 +37,8 @@ class Motion:
         self._ticks = Ticks(clock())
         self._last = clock()
         self._goal = simulation.time
+        self.moved = False
+        """Whether the last beat changed anything."""
 
     @property
     def speed_reached(self) -> float | None:
@@ -48,9 +50,10 @@ class Motion:
         """Whether the speed that was asked for is reached."""
         return self._account.keeping_up()
 
-    def begin(self) -> None:
+    def begin(self, speed: float) -> None:
         """Count real time from now: after a pause, a change of speed, or when the page is seen again."""
         now = self._clock()
+        self.speed = speed
         self._ticks = Ticks(now)
         self._last = now
         self._goal = self.simulation.time
@@ -60,17 +63,18 @@ class Motion:
         """Advance as far as is due, within the budget; the seconds until the next beat."""
         begun = self._clock()
         ticks = self._ticks.due(begun)
+        start = self.simulation.time
         if ticks:
             interval = self.simulation.frame_interval
             asked = ticks * self.speed * interval
             missed = max(0.0, (begun - self._last) * FRAMES_PER_SECOND - ticks - 1) * self.speed * interval
-            start = self.simulation.time
             self._goal += asked
             self._advance(self._goal, begun + BUDGET)
             behind = max(0.0, self._goal - self.simulation.time - self._quantum)
             self._goal -= behind
             self._account.add(begun, begun - self._last, self.simulation.time - start, behind + missed)
             self._last = begun
+        self.moved = self.simulation.time != start
         return self._ticks.wait(self._clock())
 
     def step(self) -> None:

@@ -26,27 +26,36 @@ class Registry:
 
     A page that was asked for but never opened its frame socket holds an entry without a thread or a gas; it
     takes no place, and is forgotten like any other after `KEEP` seconds.
+
+    Parameters
+    ----------
+    max_sessions : how many gases there may be at a time
+    prepare, simulate : passed on to each session
     """
 
     def __init__(
         self,
         max_sessions: int = 16,
-        *,
-        make: Callable[[Scenario], Session] = Session,
+        make: Callable[..., Session] = Session,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.max_sessions = max_sessions
-        self._make = make
-        self._clock = clock
-        self._sessions: dict[str, Session] = {}
-        self._lock = threading.RLock()
         self.announcement: str | None = None
         """A text that also a browser gets that connects later."""
+        self._make = make
+        self._clock = clock
+        self._lock = threading.Lock()
+        self._sessions: dict[str, Session] = {}
+        self._seated: set[str] = set()
+
+    @property
+    def seated(self) -> int:
+        """How many sessions have a gas."""
+        return len(self._seated)
 
     def open(self, scenario: Scenario) -> Session:
         """A new session for a page that is being built; it starts when its frame socket connects."""
-        self.sweep()
-        session = self._make(scenario)
+        session = self._make(scenario, admit=self._admit)
         with self._lock:
             self._sessions[session.id] = session
         return session
@@ -56,65 +65,57 @@ class Registry:
         with self._lock:
             return self._sessions.get(session_id)
 
-    def admit(self, session: Session) -> None:
-        """Start a session if there is room.
-
-        Raises
-        ------
-        BusyError
-            `max_sessions` gases exist already.
-        """
-        self.sweep()
-        with self._lock:
-            if session.started:
-                return
-            if self.running() >= self.max_sessions:
-                raise BusyError(f"all {self.max_sessions} places of this lab are taken")
-            session.start()
-
-    def inherit(self, session: Session, previous_id: str) -> bool:
-        """Give `session` the gas of an earlier load of the same page; whether there was one to give.
+    def inherit(self, heir: Session, previous_id: str) -> bool:
+        """Give `heir` the gas of an earlier load of the same page; whether there was one to give. Waits.
 
         Only a session that no browser holds can be inherited: a duplicated tab gets a gas of its own.
         """
         with self._lock:
             previous = self._sessions.get(previous_id)
-            if previous is None or previous is session or session.started:
+            if previous is None or previous is heir or heir.started:
                 return False
-            if not previous.started or previous.attached or previous.origin is not session.origin:
+            if previous.version == 0 or previous.attached or previous.origin is not heir.origin:
                 return False
-            del self._sessions[previous_id]
-        previous.hand_over(session)
+            self._remove(previous)
+        previous.hand_over(heir)
         return True
 
     def announce(self, text: str | None) -> None:
         """Tell every browser, also those that connect later, until None takes it back."""
         self.announcement = text
-        if text is None:
-            return
-        with self._lock:
-            sessions = list(self._sessions.values())
-        for session in sessions:
-            session.tell(text)
-
-    def running(self) -> int:
-        """How many sessions have a gas."""
-        with self._lock:
-            return sum(session.started for session in self._sessions.values())
+        if text is not None:
+            with self._lock:
+                sessions = list(self._sessions.values())
+            for session in sessions:
+                session.tell(text)
 
     def sweep(self) -> None:
-        """Remove what no browser has held for `KEEP` seconds."""
+        """Remove what no browser has held for `KEEP` seconds. Waits for the threads of those."""
         limit = self._clock() - KEEP
         with self._lock:
             gone = [one for one in self._sessions.values() if not one.attached and one.detached < limit]
             for session in gone:
-                del self._sessions[session.id]
+                self._remove(session)
         for session in gone:
             session.close()
 
     def close(self) -> None:
         """End all sessions."""
         with self._lock:
-            sessions, self._sessions = list(self._sessions.values()), {}
+            sessions = list(self._sessions.values())
+            self._sessions.clear()
+            self._seated.clear()
         for session in sessions:
             session.close()
+
+    def _admit(self, session: Session) -> None:
+        with self._lock:
+            if session.id not in self._sessions:
+                raise BusyError("this page is no longer known to the lab")
+            if session.id not in self._seated and len(self._seated) >= self.max_sessions:
+                raise BusyError(f"all {self.max_sessions} places of this lab are taken")
+            self._seated.add(session.id)
+
+    def _remove(self, session: Session) -> None:
+        del self._sessions[session.id]
+        self._seated.discard(session.id)

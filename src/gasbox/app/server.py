@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import functools
 import socket
 import sys
 import threading
@@ -60,8 +61,8 @@ def serve(
     address = _address(host, listener.getsockname()[1])
 
     def on_ready() -> None:
-        preparation.start()
         tell(f"gasbox is at {address} (Ctrl-C ends it)")
+        preparation.start()
         if not is_loopback(host):
             tell(f"Warning: listening on {host}: everyone who can reach this machine can use it.")
         if show:
@@ -113,7 +114,7 @@ def _sessions(max_sessions: int, tell: Callable[[str], None]) -> tuple[Registry,
         preparation.wait()
         registry.announce(None)
 
-    registry = Registry(max_sessions, make=lambda given: Session(given, prepare=prepare))
+    registry = Registry(max_sessions, make=functools.partial(Session, prepare=prepare))
     return registry, preparation
 
 

@@ -46,12 +46,8 @@ async def serve_frames(socket: WebSocket, registry: Registry, session_id: str, p
 
 async def _seat(registry: Registry, session: Session, previous: str | None) -> None:
     if previous and not session.started:
-        await asyncio.to_thread(_inherit, registry, session, previous)
-    registry.admit(session)
-
-
-def _inherit(registry: Registry, session: Session, previous: str) -> None:
-    registry.inherit(session, previous)
+        await asyncio.to_thread(registry.inherit, session, previous)
+    session.start()
 
 
 async def _refuse(socket: WebSocket, code: int, text: str) -> None:

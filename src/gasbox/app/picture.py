@@ -1,0 +1,87 @@
+"""From a simulation to what goes out: wire frames for the browser, copies for the charts. Plain functions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.app import protocol
+from gasbox.app.sample import Bin, Followed
+from gasbox.errors import Problem, ScenarioError
+from gasbox.scenario import Scenario
+
+if TYPE_CHECKING:
+    from gasbox.run import Simulation
+
+__all__ = ["check", "find", "frame", "lit", "table"]
+
+
+def check(scenario: Scenario) -> None:
+    """Refuse what the wire format cannot carry.
+
+    Raises
+    ------
+    ScenarioError
+        More species than fit into one byte.
+    """
+    if len(scenario.species) > protocol.MAX_SPECIES:
+        found, allowed = f"{len(scenario.species)} species", f"at most {protocol.MAX_SPECIES} on the page"
+        raise ScenarioError([Problem("species", found, allowed)])
+
+
+def table(simulation: Simulation, generation: int) -> str:
+    """The text message with the container and the species."""
+    species = simulation.scenario.species
+    return protocol.table(
+        generation,
+        simulation.geometry,
+        [one.name for one in species],
+        [float(one.radius) for one in species],
+        [str(one.color) for one in species],
+    )
+
+
+def frame(
+    simulation: Simulation, generation: int, playing: bool, light: Bin | None, followed_id: int | None
+) -> bytes:
+    """The binary message with all discs as they are now."""
+    state, geometry = simulation.state, simulation.geometry
+    followed, row = find(simulation, followed_id)
+    return protocol.encode_frame(
+        protocol.WireFrame(
+            generation=generation,
+            number=simulation.frame,
+            time=simulation.time,
+            width=geometry.width,
+            height=geometry.height,
+            playing=playing,
+            position=state.position.astype(np.float32),
+            species=state.species.astype(np.uint8),
+            highlight=None if light is None else lit(simulation, light),
+            followed=followed,
+            row=row,
+        )
+    )
+
+
+def find(simulation: Simulation, particle_id: int | None) -> tuple[Followed | None, int]:
+    """The disc with this id and its row, or (None, 0)."""
+    state = simulation.state
+    if particle_id is None:
+        return None, 0
+    row = int(np.searchsorted(state.id, particle_id))
+    if row >= state.count or state.id[row] != particle_id:
+        return None, 0
+    (x, y), (vx, vy) = state.position[row].tolist(), state.velocity[row].tolist()
+    return Followed(int(state.id[row]), int(state.species[row]), (x, y), (vx, vy)), row
+
+
+def lit(simulation: Simulation, light: Bin) -> NDArray[np.bool_]:
+    """(n,) bool: which discs lie in the bin."""
+    state = simulation.state
+    value = np.einsum("ij,ij->i", state.velocity, state.velocity)
+    value = 0.5 * state.mass * value if light.quantity == "energy" else np.sqrt(value)
+    inside: NDArray[np.bool_] = (state.species == light.species) & (light.low <= value) & (value < light.high)
+    return inside

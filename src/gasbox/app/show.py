@@ -1,0 +1,169 @@
+"""What happens inside a session's thread: the gas moves on and is published. Only that thread calls this."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from gasbox.app import picture, protocol
+from gasbox.app.mailbox import Mailbox
+from gasbox.app.motion import Motion
+from gasbox.app.sample import Bin, Followed, Sample
+from gasbox.errors import GasboxError, UsageError
+
+if TYPE_CHECKING:
+    from gasbox.run import Simulation
+
+__all__ = ["Show", "Wishes"]
+
+
+@dataclass
+class Wishes:
+    """What the page asks for. Written by the page, read by the session's thread."""
+
+    playing: bool = True
+    speed: float = 1.0
+    light: Bin | None = None
+    followed_id: int | None = None
+
+
+class Show:
+    """A gas in motion and its newest copies.
+
+    Other threads may read the attributes (each is replaced as a whole, never changed) and set `mailbox` and
+    `sample_wanted`; all methods belong to the session's thread.
+
+    Parameters
+    ----------
+    wishes : what the page asks for
+    unwatched : go on also when no browser looks
+    """
+
+    def __init__(self, wishes: Wishes, unwatched: bool) -> None:
+        self.mailbox: Mailbox | None = None
+        self.sample: Sample | None = None
+        self.sample_wanted = False
+        self.followed: Followed | None = None
+        self.trouble: str | None = None
+        self.version = 0
+        self.running = False
+        self._wishes = wishes
+        self._unwatched = unwatched
+        self._motion: Motion | None = None
+        self._generation = 0
+
+    @property
+    def watched(self) -> bool:
+        """Whether a browser shows the frames: connected, visible, acks arriving."""
+        mailbox = self.mailbox
+        return mailbox is not None and mailbox.is_watched()
+
+    @property
+    def simulation(self) -> Simulation:
+        """The gas itself.
+
+        Raises
+        ------
+        UsageError
+            There is none, with the reason.
+        """
+        if self._motion is None:
+            raise UsageError(self.trouble or "there is no gas yet")
+        return self._motion.simulation
+
+    def install(self, simulation: Simulation) -> None:
+        """Show this gas from now on."""
+        self._motion = Motion(simulation, self._wishes.speed)
+        self.version += 1
+        self.running = False
+        self.trouble = None
+        self.publish_all()
+
+    def let_go(self) -> None:
+        """Keep nothing."""
+        self._motion = None
+
+    def beat(self) -> float | None:
+        """Move on if somebody looks. Returns the seconds until the next beat; None: not before a change."""
+        motion = self._motion
+        if motion is None or not self._wishes.playing or not (self._unwatched or self.watched):
+            self.running = False
+            return None
+        if not self.running:
+            self.running = True
+            motion.begin(self._wishes.speed)
+        try:
+            pause = motion.beat()
+        except Exception as error:
+            self.fail(error)
+            return None
+        if motion.moved:
+            self.publish(sample=self.sample_wanted)
+        return pause
+
+    def step(self) -> None:
+        """One whole frame."""
+        if self._motion is not None:
+            try:
+                self._motion.step()
+            except Exception as error:
+                self.fail(error)
+        self.changed()
+
+    def changed(self) -> None:
+        """A wish has changed: count time anew, and show it."""
+        self.running = False
+        self.publish()
+
+    def fail(self, error: Exception) -> None:
+        """The gas cannot go on, or could not be made: stand still and say why."""
+        self._wishes.playing = False
+        self.trouble = str(error) or type(error).__name__
+        if not isinstance(error, GasboxError):
+            logging.getLogger("gasbox").error("the gas cannot go on", exc_info=error)
+        if self.mailbox is not None:
+            self.mailbox.put_text(protocol.notice("trouble", text=self.trouble))
+
+    def publish_all(self) -> None:
+        """The table and a frame: for a new gas or a new browser."""
+        if self._motion is None:
+            if self.trouble is not None and self.mailbox is not None:
+                self.mailbox.put_text(protocol.notice("trouble", text=self.trouble))
+            return
+        self._generation += 1
+        if self.mailbox is not None:
+            self.mailbox.put_text(picture.table(self._motion.simulation, self._generation), stale=True)
+        self.publish()
+
+    def publish(self, *, sample: bool = True) -> None:
+        """A frame for the browser, and a copy for the charts."""
+        motion, wishes, mailbox = self._motion, self._wishes, self.mailbox
+        if motion is None:
+            return
+        simulation = motion.simulation
+        self.followed, _ = picture.find(simulation, wishes.followed_id)
+        if sample:
+            self.sample_wanted = False
+            self.sample = self._copy(motion)
+        if mailbox is not None and not mailbox.hidden:
+            mailbox.put_frame(
+                picture.frame(simulation, self._generation, wishes.playing, wishes.light, wishes.followed_id)
+            )
+
+    def _copy(self, motion: Motion) -> Sample:
+        simulation, mailbox = motion.simulation, self.mailbox
+        return Sample(
+            version=self.version,
+            scenario=simulation.scenario,
+            geometry=simulation.geometry,
+            time=simulation.time,
+            frame=simulation.frame,
+            state=simulation.state.copy(),
+            tallies=simulation.dynamics.tallies.copy(),
+            playing=self._wishes.playing,
+            shown_fps=mailbox.shown_fps() if mailbox is not None else 0.0,
+            keeping_up=motion.keeping_up,
+            speed_reached=motion.speed_reached,
+            warnings=tuple(simulation.warnings),
+        )
