@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import doctest
 import inspect
 import re
 from pathlib import Path
@@ -20,18 +21,23 @@ def test_public_names() -> None:
     assert sorted(gasbox.__all__) == [
         "DynamicsError",
         "FileError",
-        "Frame",
         "GasboxError",
         "Scenario",
         "ScenarioError",
         "Simulation",
-        "State",
         "UsageError",
         "__version__",
         "load",
         "run",
+        "shipped",
     ]
     assert all(hasattr(gasbox, name) for name in gasbox.__all__)
+
+
+def test_the_example_of_the_package_runs() -> None:
+    result = doctest.testmod(gasbox)
+    assert result.attempted > 0
+    assert result.failed == 0
 
 
 def test_the_tree_of_errors_shows_every_error() -> None:
