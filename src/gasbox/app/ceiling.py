@@ -12,7 +12,18 @@ __all__ = ["Ceiling", "interval"]
 
 _MEMORY: Final = 4.0
 """Seconds that a high value is remembered."""
-_INTERVALS: Final = {1.0: 0.5, 1.2: 0.4, 1.5: 0.5, 2.0: 0.5, 2.5: 0.5, 3.0: 1.0, 4.0: 1.0, 5.0: 1.0, 6.0: 2.0, 8.0: 2.0}
+_INTERVALS: Final = {
+    1.0: 0.5,
+    1.2: 0.4,
+    1.5: 0.5,
+    2.0: 0.5,
+    2.5: 0.5,
+    3.0: 1.0,
+    4.0: 1.0,
+    5.0: 1.0,
+    6.0: 2.0,
+    8.0: 2.0,
+}
 """Distance of the marks by the leading digits of the axis' end."""
 
 

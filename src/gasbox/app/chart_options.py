@@ -93,7 +93,9 @@ def initial(name: str, color: str, quantity: str) -> dict[str, Any]:
 
 
 def _description(name: str, quantity: str) -> str:
-    return f"Histogram of the {quantity} of {name}: number of particles in each range, with the curve that theory expects."
+    return (
+        f"Histogram of the {quantity} of {name}: number of particles in each bin, with the curve of theory."
+    )
 
 
 def axis_name(quantity: str) -> str:

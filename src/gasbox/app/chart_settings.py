@@ -79,11 +79,11 @@ class ChartSettings:
         self._range.set_value("given" if choice.maximum is not None else "own" if choice.own else "all")
         self._showing = False
 
-    def _theory(self, event: ValueChangeEventArguments) -> None:
+    def _theory(self, event: ValueChangeEventArguments[bool | None]) -> None:
         self._charts().show_theory(bool(event.value))
         self._changed()
 
-    def _smooth(self, event: ValueChangeEventArguments) -> None:
+    def _smooth(self, event: ValueChangeEventArguments[float]) -> None:
         self._charts().smooth(float(event.value))
         self._changed()
 

@@ -35,7 +35,9 @@ class Charts:
     window : how long to average [s]
     """
 
-    def __init__(self, species: Sequence[Species], choice: BinChoice, light: Lit, dim: Callable[[], None]) -> None:
+    def __init__(
+        self, species: Sequence[Species], choice: BinChoice, light: Lit, dim: Callable[[], None]
+    ) -> None:
         self.choice = choice
         self.theory = True
         self.window = 0.0

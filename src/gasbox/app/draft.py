@@ -35,7 +35,7 @@ class SpeciesDraft:
 
     Attributes
     ----------
-    start : how velocities are drawn: ``temperature``, ``speed``, or ``velocities`` (listed in the file, kept as they are)
+    start : how velocities are drawn: ``temperature``, ``speed``, or ``velocities`` (as listed in the file)
     kept : what the panel does not show (region, listed velocities), as in the file
     """
 

@@ -95,17 +95,18 @@ class Files:
 
     async def _save(self, take: Callable[[], Scenario], mark: str) -> None:
         try:
-            name, data = await run.io_bound(self._written, take, mark)
+            written = await run.io_bound(self._written, take, mark)
         except GasboxError as error:
             show_message("Nothing was saved", str(error))
             return
-        ui.download.content(data, name)
+        if written is not None:  # it is when the server is going down
+            ui.download.content(*written)
 
     @staticmethod
-    def _written(take: Callable[[], Scenario], mark: str) -> tuple[str, bytes]:
+    def _written(take: Callable[[], Scenario], mark: str) -> tuple[bytes, str]:
         scenario = take()
         text = scenario.to_json().encode()
         name = file_name(scenario.title or "gas", f"{mark}.json")
         if len(text) > 20_000_000:
-            return f"{name}.gz", gzip.compress(text, 5, mtime=0)
-        return name, text
+            return gzip.compress(text, 5, mtime=0), f"{name}.gz"
+        return text, name

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -30,12 +31,19 @@ _EXTERN = "*"
 """The choice that stands for a gas that is none of the shipped ones."""
 
 
+@functools.cache
+def _shipped() -> dict[str, tuple[str, str]]:
+    """Title and hash of each shipped scenario, by name."""
+    scenarios = {name: load(name) for name in shipped()}
+    return {name: (scenario.title or name, scenario.hash()) for name, scenario in scenarios.items()}
+
+
 class Header:
     """The bar; on a narrow screen most of its buttons move into a menu."""
 
     def __init__(self, scenario: Scenario, actions: Actions) -> None:
         self._actions = actions
-        self._titles = {name: load(name).title or name for name in shipped()}
+        self._titles = {name: title for name, (title, _) in _shipped().items()}
         with ui.element("header").classes("lab-bar"):
             ui.label("gasbox").classes("wordmark")
             self._select = ui.select({**self._titles}, on_change=self._chosen)
@@ -47,21 +55,30 @@ class Header:
 
     def _buttons(self, actions: Actions) -> None:
         files = actions.files
-        opener = ui.button("Open", icon="folder_open", color=None).props("flat").classes("only-wide").mark("open")
+        opener = (
+            ui.button("Open", icon="folder_open", color=None).props("flat").classes("only-wide").mark("open")
+        )
         opener.on("click", js_handler=files.pick).tooltip(
             "Open a scenario or a snapshot (or drop a file on the page)  O"
         )
-        with ui.button("Save", icon="download", color=None).props("flat").classes("only-wide").mark("save"), ui.menu():
+        with (
+            ui.button("Save", icon="download", color=None).props("flat").classes("only-wide").mark("save"),
+            ui.menu(),
+        ):
             self._save_items(files)
         ui.element("div").classes("push")
-        edit = ui.button("Edit", icon="tune", on_click=actions.edit, color=None).props('flat aria-label="Edit the gas"')
+        edit = ui.button("Edit", icon="tune", on_click=actions.edit, color=None).props(
+            'flat aria-label="Edit the gas"'
+        )
         edit.classes("only-wide").mark("edit").tooltip("Species, container, seed and dynamics  E")
         for icon, hint, action, marker in (
             ("bar_chart", "Histograms on or off", actions.charts, "charts"),
             ("contrast", "Light or dark", actions.dark, "dark"),
             ("keyboard", "Keys  ?", actions.keys, "keys"),
         ):
-            button = ui.button(icon=icon, on_click=action, color=None).props(f'flat round aria-label="{hint}"')
+            button = ui.button(icon=icon, on_click=action, color=None).props(
+                f'flat round aria-label="{hint}"'
+            )
             button.classes("only-wide").mark(marker).tooltip(hint)
         with (
             ui.button(icon="more_vert", color=None)
@@ -82,13 +99,14 @@ class Header:
         ui.menu_item("Save a snapshot of the gas now", on_click=files.save_snapshot).mark("save-snapshot")
         ui.menu_item("Download the scenario", on_click=files.save_scenario).mark("save-scenario")
 
-    async def _chosen(self, event: ValueChangeEventArguments) -> None:
+    async def _chosen(self, event: ValueChangeEventArguments[str]) -> None:
         if event.value in self._titles and event.value != self._shown:
             await self._actions.files.choose(event.value)
 
     def show(self, scenario: Scenario) -> None:
         """Name the scenario that is in the box."""
-        name = next((name for name in self._titles if load(name).hash() == scenario.hash()), _EXTERN)
+        said = scenario.hash()
+        name = next((name for name, (_, one) in _shipped().items() if one == said), _EXTERN)
         self._shown = name
         title = f"{scenario.title or 'untitled'} ({'snapshot' if scenario.snapshot else 'own'})"
         options = self._titles if name != _EXTERN else {**self._titles, _EXTERN: title}

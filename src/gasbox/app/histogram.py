@@ -110,7 +110,9 @@ class Histogram:
         law, line = None, None
         if temperature and total:
             law = expected(self.edges, choice.quantity, total, self.species.mass, temperature)
-            line = curve(self.edges, choice.quantity, total, self.species.mass, temperature) if theory else None
+            line = (
+                curve(self.edges, choice.quantity, total, self.species.mass, temperature) if theory else None
+            )
         highest = max(float(counts.max(initial=0.0)), 0.0 if line is None else float(line[1].max()))
         top = self._ceiling.cover(now, highest)
         name = axis_name(choice.quantity)

@@ -114,11 +114,13 @@ class Page:
         self.transport.show_reached(sample.keeping_up or not sample.playing, sample.speed_reached)
         self.caption.follow(self.session.followed(), sample.scenario)
         numbers = await self._measure(sample)
+        if numbers is None:
+            return
         self.readouts.show(numbers, sample)
         if self._show_charts:
             self.charts.show(sample, numbers.temperature)
 
-    async def _measure(self, sample: Sample) -> Figures:
+    async def _measure(self, sample: Sample) -> Figures | None:
         lately = self._window.take(time.monotonic(), sample.version, sample.time, sample.tallies)
         if sample.state.count > _MANY:
             return await run.io_bound(figures, sample, lately)

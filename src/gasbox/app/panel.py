@@ -7,6 +7,7 @@ from collections.abc import Awaitable, Callable
 from typing import Any
 
 from nicegui import ui
+from nicegui.events import ValueChangeEventArguments
 
 from gasbox.app.charts import MOST_CHARTS
 from gasbox.app.draft import Draft, SpeciesDraft
@@ -16,6 +17,7 @@ from gasbox.scenario import Scenario
 __all__ = ["Panel"]
 
 _KINDS = {"event-driven": "event-driven (exact)", "stepped": "stepped (classroom rule)"}
+_SELECT = "dense outlined options-dense"
 _STARTS = {"temperature": "temperature", "speed": "one speed"}
 
 
@@ -40,7 +42,8 @@ class Panel:
         )
         with self.drawer:
             with ui.element("div").classes("panel-head"):
-                ui.html("<h2>Edit the gas</h2>", sanitize=False)
+                with ui.element("h2"):
+                    ui.label("Edit the gas")
                 ui.button(icon="close", on_click=self.drawer.hide, color=None).props(
                     'flat round dense aria-label="Close"'
                 )
@@ -104,67 +107,69 @@ class Panel:
             self._dynamics_form()
 
     def _field(self, path: str, label: str, owner: Any, attribute: str) -> ui.input:
-        box = ui.input(label).bind_value(owner, attribute).mark(path)
+        box = ui.input(label, value=getattr(owner, attribute), on_change=_into(owner, attribute)).mark(path)
         box.props("dense outlined hide-bottom-space inputmode=decimal").on("keydown.enter", self.apply)
         self._fields[path] = box
         return box
 
+    def _choice(
+        self, path: str, label: str, choices: dict[str, str], owner: Any, attribute: str
+    ) -> ui.select:
+        value, into = getattr(owner, attribute), _into(owner, attribute)
+        return ui.select(choices, label=label, value=value, on_change=into).props(_SELECT).mark(path)
+
     def _species_form(self, index: int, species: SpeciesDraft) -> None:
-        path = f"species[{index}]"
-        with (
-            ui.element("div").classes("species-form").props(f'role="group" aria-label="Species {index + 1}"')
-        ):
+        path, name = f"species[{index}]", f"Species {index + 1}"
+        with ui.element("div").classes("species-form").props(f'role="group" aria-label="{name}"'):
             with ui.element("div").classes("line"):
-                color = ui.input().bind_value(species, "color").mark(f"{path}.color")
-                color.props('type=color dense borderless aria-label="Colour"').classes("swatch")
+                color = ui.input(value=species.color, on_change=_into(species, "color")).mark(f"{path}.color")
+                color.props(f'type=color dense borderless aria-label="Colour of {name}"').classes("swatch")
                 self._field(f"{path}.name", "name", species, "name").props(remove="inputmode").classes("grow")
                 remove = ui.button(icon="delete_outline", on_click=lambda: self._remove(index), color=None)
-                remove.props('flat round dense aria-label="Remove this species"').mark(f"{path}.remove")
+                remove.props(f'flat round dense aria-label="Remove {name}"').mark(f"{path}.remove")
                 remove.set_enabled(len(self._draft.species) > 1)
             with ui.element("div").classes("fields"):
-                for name in ("count", "mass", "radius"):
-                    self._field(f"{path}.{name}", name, species, name)
+                for quantity in ("count", "mass", "radius"):
+                    self._field(f"{path}.{quantity}", quantity, species, quantity)
             with ui.element("div").classes("fields two"):
                 self._start_form(path, species)
 
     def _start_form(self, path: str, species: SpeciesDraft) -> None:
-        choices = _STARTS if "velocities" not in species.kept else {**_STARTS, "velocities": "as listed"}
-        ui.select(choices, label="start with").bind_value(species, "start").props(
-            "dense outlined options-dense"
-        ).mark(f"{path}.start")
+        choices = {**_STARTS, "velocities": "as listed"} if "velocities" in species.kept else _STARTS
+        start = self._choice(f"{path}.start", "start with", choices, species, "start")
         value = self._field(f"{path}.warmth", "value", species, "warmth")
-        value.bind_visibility_from(species, "start", lambda start: start != "velocities")
-        for name in ("temperature", "speed"):
-            self._fields[f"{path}.{name}"] = value
+        value.bind_visibility_from(start, "value", lambda start: start != "velocities")
+        self._fields[f"{path}.temperature"] = self._fields[f"{path}.speed"] = value
 
     def _container_form(self) -> None:
         draft = self._draft
-        ui.html("<h3>Container</h3>", sanitize=False)
+        with ui.element("h3"):
+            ui.label("Container")
         with ui.element("div").classes("fields two"):
             self._field("container.width", "width", draft, "width")
             self._field("container.height", "height", draft, "height")
         with ui.element("div").classes("line"):
-            ui.checkbox("periodic in x").bind_value(draft, "periodic_x").props("dense").mark("periodic-x")
-            ui.checkbox("periodic in y").bind_value(draft, "periodic_y").props("dense").mark("periodic-y")
+            for axis in ("x", "y"):
+                attribute = f"periodic_{axis}"
+                box = ui.checkbox(
+                    f"periodic in {axis}", value=getattr(draft, attribute), on_change=_into(draft, attribute)
+                )
+                box.props("dense").mark(f"periodic-{axis}")
 
     def _dynamics_form(self) -> None:
         draft = self._draft
-        ui.html("<h3>Dynamics and chance</h3>", sanitize=False)
-        kind = (
-            ui.select(_KINDS, label="dynamics")
-            .bind_value(draft, "kind")
-            .props("dense outlined options-dense")
-        )
-        kind.mark("dynamics.kind").classes("w-full")
+        with ui.element("h3"):
+            ui.label("Dynamics and chance")
+        kind = self._choice("dynamics.kind", "dynamics", _KINDS, draft, "kind")
         with ui.element("div").classes("fields two"):
             self._field("seed", "seed", draft, "seed").props("inputmode=numeric")
             step = self._field("dynamics.time_step", "time step", draft, "time_step")
-            step.bind_visibility_from(draft, "kind", lambda kind: kind == "stepped")
-        dice = ui.button("Another seed", icon="casino", on_click=self._roll, color=None).props("flat dense").mark("roll")
-        dice.tooltip("the same gas, drawn anew")
+            step.bind_visibility_from(kind, "value", lambda kind: kind == "stepped")
+        dice = ui.button("Another seed", icon="casino", on_click=self._roll, color=None)
+        dice.props("flat dense").mark("roll").tooltip("the same gas, drawn anew")
 
     def _roll(self) -> None:
-        self._draft.seed = str(random.SystemRandom().randrange(1, 1_000_000))
+        self._fields["seed"].set_value(str(random.SystemRandom().randrange(1, 1_000_000)))
 
     def _add(self) -> None:
         self._draft.add_species()
@@ -173,3 +178,8 @@ class Panel:
     def _remove(self, index: int) -> None:
         del self._draft.species[index]
         self._build()
+
+
+def _into(owner: Any, attribute: str) -> Callable[[ValueChangeEventArguments[Any]], None]:
+    """Keeps what is typed. (NiceGUI's bindings would poll a plain object ten times a second.)"""
+    return lambda event: setattr(owner, attribute, event.value)

@@ -34,16 +34,16 @@ class Readouts:
     """Time, number, temperature, pressure, energy, collisions and frames per second."""
 
     def __init__(self) -> None:
-        with ui.element("section").classes("card readouts").props('aria-label="Measured numbers"'):
+        with _frame():
             self._time = _Readout("time", "simulated time since the start")
             self._particles = _Readout("particles", "number of particles in the box")
             self._temperature = _Readout("temperature", f"of the whole gas, k_B = 1 ({UNIT['temperature']})")
+            self._energy = _Readout("energy", f"kinetic energy of all particles ({UNIT['energy']})")
             self._pressure = _Readout(
                 "pressure",
-                f"measured over the last ten seconds ({UNIT['pressure']}); beside it what theory expects of points and of discs",
+                f"measured over ten seconds ({UNIT['pressure']}), and what theory expects of points and of discs",
                 wide=True,
             )
-            self._energy = _Readout("energy", f"kinetic energy of all particles ({UNIT['energy']})")
             self._rate = _Readout(
                 "collisions / time",
                 "pairs that collided per unit of simulated time, over the last ten seconds",
@@ -62,3 +62,9 @@ class Readouts:
         self._energy.show(number(figures.energy, 4))
         self._rate.show(number(figures.collision_rate))
         self._shown.show(f"{sample.shown_fps:.0f}" if sample.playing else "–")
+
+
+def _frame() -> ui.element:
+    """The card that holds all numbers."""
+    with ui.element("section").classes("card readings").props('aria-label="Measured numbers"'):
+        return ui.element("div").classes("readouts")

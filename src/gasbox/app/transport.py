@@ -41,9 +41,13 @@ class Transport:
 
     def __init__(self, session: Runnable) -> None:
         self._session = session
+        self._shown_playing: bool | None = None
         with ui.element("section").classes("card transport").props('aria-label="Time"'):
             self._play = (
-                ui.button(on_click=self.toggle, color=None).props("round unelevated").classes("play").mark("play")
+                ui.button(on_click=self.toggle, color=None)
+                .props("round unelevated")
+                .classes("play")
+                .mark("play")
             )
             self._button("skip_next", "One frame  →", "One frame", self.step, "step")
             self._button("replay", "Back to the start  R", "Back to the start", self.reset, "reset")
@@ -91,16 +95,18 @@ class Transport:
         self._session.set_speed(speed)
         self.refresh()
 
-    def _slid(self, event: ValueChangeEventArguments) -> None:
-        if abs(event.value - math.log10(self._session.speed)) > 0.006:
+    def _slid(self, event: ValueChangeEventArguments[float | None]) -> None:
+        if event.value is not None and abs(event.value - math.log10(self._session.speed)) > 0.006:
             self._session.set_speed(float(f"{10**event.value:.3g}"))
         self.refresh()
 
     def refresh(self) -> None:
         """Show what the session does."""
         playing = self._session.playing
-        name = "Pause" if playing else "Play"
-        self._play.props(f'icon={"pause" if playing else "play_arrow"} aria-label="{name}"')
+        if playing != self._shown_playing:
+            self._shown_playing = playing
+            name, icon = ("Pause", "pause") if playing else ("Play", "play_arrow")
+            self._play.props(f'icon={icon} aria-label="{name}"')
         self._slider.set_value(round(math.log10(self._session.speed), 2))
         self._reading.set_text(times(self._session.speed))
 

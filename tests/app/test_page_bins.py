@@ -1,0 +1,54 @@
+import numpy as np
+import pytest
+
+from gasbox.app.bins import BinChoice, curve, edges_of, expected
+from gasbox.app.chart_options import bar_rows, changes, curve_rows, initial
+from gasbox.scenario import load
+
+pytestmark = pytest.mark.small
+
+
+def test_bins_are_those_of_the_scenario() -> None:
+    scenario = load("three-gases")
+    choice = BinChoice.of(scenario)
+    edges = edges_of(choice, [3.0, 2.0, 1.0])
+    assert [len(one) for one in edges] == [scenario.histograms.bins + 1] * 3
+    assert all(one[-1] == scenario.histograms.maximum for one in edges)
+
+
+def test_automatic_range_is_that_of_the_fastest_or_each_its_own() -> None:
+    assert [one[-1] for one in edges_of(BinChoice(), [3.0, 2.0, 1.0])] == [3.0, 3.0, 3.0]
+    assert [one[-1] for one in edges_of(BinChoice(own=True), [3.0, 2.0, 1.0])] == [3.0, 2.0, 1.0]
+
+
+@pytest.mark.parametrize("quantity", ["speed", "energy"])
+def test_the_curve_meets_each_bins_expectation_in_its_middle(quantity: str) -> None:
+    edges = np.linspace(0.0, 3.0, 31)
+    values, counts = curve(edges, quantity, 500, 2.0, 0.4, points=601)  # type: ignore[arg-type]
+    law = expected(edges, quantity, 500, 2.0, 0.4)  # type: ignore[arg-type]
+    middles = (edges[1:] + edges[:-1]) / 2
+    assert np.interp(middles, values, counts) == pytest.approx(law, rel=1e-6)
+    assert law.sum() == pytest.approx(500, rel=1e-3 if quantity == "speed" else 1e-2)
+
+
+def test_a_bar_knows_its_bin_and_what_theory_expects() -> None:
+    rows = bar_rows(np.array([0.0, 0.5, 1.0]), np.array([3.0, 4.25]), np.array([3.333333, 4.0]))
+    assert rows == [[0.25, 3.0, 0.0, 0.5, 3.33], [0.75, 4.25, 0.5, 1.0, 4.0]]
+    assert bar_rows(np.array([0.0, 1.0]), np.array([3.0]), None) == [[0.5, 3.0, 0.0, 1.0, None]]
+    assert curve_rows(np.array([0.123456789]), np.array([1.23456])) == [[0.12346, 1.23]]
+
+
+def test_axes_are_named_with_their_units() -> None:
+    options = initial("light", "#123456", "speed")
+    assert options["xAxis"]["name"] == "speed  (length/time)"
+    assert options["yAxis"]["name"] == "number of particles"
+    assert options["animation"] is False
+    assert initial("light", "#123456", "energy")["xAxis"]["name"].startswith("energy")
+
+
+def test_only_what_has_changed_is_sent() -> None:
+    shown = initial("light", "#123456", "speed")
+    wanted = {"yAxis": {"max": 80}, "series": [{"data": [[0.5, 1.0]]}, {"data": []}]}
+    assert changes(shown, wanted) == {"yAxis": {"max": 80}, "series": [{"data": [[0.5, 1.0]]}, {}]}
+    assert changes(shown, wanted) == {}
+    assert changes(shown, {"series": [{"data": [[0.5, 2.0]]}]}) == {"series": [{"data": [[0.5, 2.0]]}]}
