@@ -1,74 +1,81 @@
-"""A gas of points that fly between walls and never meet: stands in for the engine where only the page is tested."""
+"""Stand-ins for tests of the transport, which need no engine and no real time."""
 
 from __future__ import annotations
 
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
 from gasbox.scenario import Scenario, parse
-from gasbox.state import Contacts, State, Tallies
+from gasbox.state import State, Tallies
+
+
+class FakeClock:
+    """Seconds that pass only when a test says so."""
+
+    def __init__(self) -> None:
+        self.now = 1000.0
+
+    def __call__(self) -> float:
+        return self.now
 
 
 class FreeFlight:
-    def __init__(self, scenario: Scenario) -> None:
+    """Discs that pass through each other in a periodic box, for which a unit of simulated time costs `cost` s."""
+
+    def __init__(self, scenario: Scenario, clock: FakeClock | None = None, cost: float = 0.0) -> None:
         self.scenario = scenario
         self.geometry = scenario.container.geometry()
         self.frame_interval = scenario.frame_interval or 1.0
-        self.frame = 0
-        self.warnings: tuple[str, ...] = ()
-        self.state = _start(scenario)
-        walls = len(self.geometry.WALLS)
-        self.dynamics = SimpleNamespace(
-            tallies=Tallies.zero(len(scenario.species), walls), contacts=Contacts.empty(0)
+        self.warnings = ()
+        self.calls: list[float] = []
+        self._clock, self._cost = clock, cost
+        counts = [one.count for one in scenario.species]
+        species = np.repeat(np.arange(len(counts), dtype=np.int32), counts)
+        random = np.random.default_rng(scenario.seed)
+        self.state = State(
+            time=0.0,
+            id=np.arange(len(species)),
+            species=species,
+            mass=np.array([one.mass for one in scenario.species])[species],
+            radius=np.array([one.radius for one in scenario.species])[species],
+            position=random.random((len(species), 2)) * self.geometry.size,
+            velocity=random.normal(size=(len(species), 2)) * 0.1,
         )
+        self.dynamics = SimpleNamespace(tallies=Tallies.zero(len(counts), 4))
 
     @property
     def time(self) -> float:
         return self.state.time
 
-    def advance(self, frames: int | None = None, until: float | None = None) -> None:
-        until = self.time + self.frame_interval * (frames or 1) if until is None else until
-        state, size = self.state, self.geometry.size
-        state.position += state.velocity * (until - state.time)
-        for axis in (0, 1):
-            out = (state.position[:, axis] < 0) | (state.position[:, axis] > size[axis])
-            hits = np.flatnonzero(out)
-            wall = 2 * axis + (state.position[hits, axis] > 0)
-            impulse = 2 * state.mass[hits] * np.abs(state.velocity[hits, axis])
-            np.add.at(self.dynamics.tallies.wall_impulse, (wall, state.species[hits]), impulse)
-            np.add.at(self.dynamics.tallies.wall_collisions, (wall, state.species[hits]), 1)
-            state.velocity[hits, axis] *= -1
-            state.position[:, axis] = np.clip(state.position[:, axis], 0, size[axis])
-        state.time = until
-        self.frame = round(until / self.frame_interval)
+    def advance(self, *, until: float) -> None:
+        step = until - self.time
+        self.calls.append(step)
+        self.state.position = (self.state.position + self.state.velocity * step) % self.geometry.size
+        self.state.time = until
+        if self._clock is not None:
+            self._clock.now += step * self._cost
 
     def snapshot(self) -> Scenario:
-        state = self.state
-        names = [species.name for species in self.scenario.species]
-        data = self.scenario.to_dict()
-        data["particles"] = {
-            "species": [names[index] for index in state.species],
-            "position": state.position.tolist(),
-            "velocity": state.velocity.tolist(),
+        return self.scenario
+
+
+def gas(counts: tuple[int, ...] = (30, 20), **settings: Any) -> Scenario:
+    """A small periodic scenario with species of these counts."""
+    colors = ("#ff0000", "#00a000", "#0000ff")
+    species = [
+        {"name": f"kind {k}", "radius": 0.5 * (k + 1), "color": colors[k % 3], "count": n, "temperature": 1}
+        for k, n in enumerate(counts)
+    ]
+    return parse(
+        {
+            "format": "gasbox-scenario/1",
+            "title": "A gas for tests",
+            "container": {"shape": "rectangle", "width": 60, "height": 40, "periodic": ["x", "y"]},
+            "species": species,
+            "dynamics": {"kind": "event-driven"},
+            "frame_interval": 0.5,
+            **settings,
         }
-        data["snapshot"] = {"version": "0", "time": state.time, "memory": {}, "tallies": {}}
-        return parse(data)
-
-
-def _start(scenario: Scenario) -> State:
-    draw = np.random.default_rng(scenario.seed)
-    species = np.repeat(np.arange(len(scenario.species)), [one.count for one in scenario.species]).astype(np.int32)
-    mass = np.array([one.mass for one in scenario.species])[species]
-    radius = np.array([one.radius for one in scenario.species])[species]
-    warmth = np.array([one.temperature or 0.1 for one in scenario.species])[species]
-    count = species.size
-    size = np.array([scenario.container.width, scenario.container.height])
-    position = draw.random((count, 2)) * size
-    velocity = draw.normal(size=(count, 2)) * np.sqrt(warmth / mass)[:, None]
-    if scenario.snapshot is not None and scenario.particles is not None:
-        species, position, velocity = scenario.particles.arrays([one.name for one in scenario.species])
-        mass = np.array([one.mass for one in scenario.species])[species]
-        radius = np.array([one.radius for one in scenario.species])[species]
-    time = scenario.snapshot.time if scenario.snapshot else 0.0
-    return State(time, np.arange(len(species)), species, mass, radius, position.copy(), velocity.copy())
+    )

@@ -41,6 +41,11 @@ class Motion:
         """Whether the last beat changed anything."""
 
     @property
+    def frame(self) -> int:
+        """Whole frames of simulated time since time 0."""
+        return math.floor(self.simulation.time / self.simulation.frame_interval + 1e-6)
+
+    @property
     def speed_reached(self) -> float | None:
         """The speed reached over the last second; None before it was measured."""
         return self._account.speed()
@@ -78,8 +83,8 @@ class Motion:
         return self._ticks.wait(self._clock())
 
     def step(self) -> None:
-        """One whole frame, however long it takes."""
-        self.simulation.advance(frames=1)
+        """On to the next whole frame, however long it takes."""
+        self.simulation.advance(until=(self.frame + 1) * self.simulation.frame_interval)
         self._goal = self.simulation.time
 
     def _advance(self, goal: float, deadline: float) -> None:
@@ -100,4 +105,5 @@ class Motion:
         steps = math.floor((goal - now) / self._quantum + 1e-6)
         if steps < 1:
             return None
-        return now + min(steps, max(1, int(self._slices.size() / self._quantum))) * self._quantum
+        steps = min(steps, max(1, int(self._slices.size() / self._quantum)))
+        return (round(now / self._quantum) + steps) * self._quantum

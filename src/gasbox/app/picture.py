@@ -9,26 +9,11 @@ from numpy.typing import NDArray
 
 from gasbox.app import protocol
 from gasbox.app.sample import Bin, Followed
-from gasbox.errors import Problem, ScenarioError
-from gasbox.scenario import Scenario
 
 if TYPE_CHECKING:
-    from gasbox.run import Simulation
+    from gasbox.simulation import Simulation
 
-__all__ = ["check", "find", "frame", "lit", "table"]
-
-
-def check(scenario: Scenario) -> None:
-    """Refuse what the wire format cannot carry.
-
-    Raises
-    ------
-    ScenarioError
-        More species than fit into one byte.
-    """
-    if len(scenario.species) > protocol.MAX_SPECIES:
-        found, allowed = f"{len(scenario.species)} species", f"at most {protocol.MAX_SPECIES} on the page"
-        raise ScenarioError([Problem("species", found, allowed)])
+__all__ = ["find", "frame", "lit", "table"]
 
 
 def table(simulation: Simulation, generation: int) -> str:
@@ -44,7 +29,13 @@ def table(simulation: Simulation, generation: int) -> str:
 
 
 def frame(
-    simulation: Simulation, generation: int, playing: bool, light: Bin | None, followed_id: int | None
+    simulation: Simulation,
+    *,
+    generation: int,
+    number: int,
+    playing: bool,
+    light: Bin | None,
+    followed_id: int | None,
 ) -> bytes:
     """The binary message with all discs as they are now."""
     state, geometry = simulation.state, simulation.geometry
@@ -52,7 +43,7 @@ def frame(
     return protocol.encode_frame(
         protocol.WireFrame(
             generation=generation,
-            number=simulation.frame,
+            number=number,
             time=simulation.time,
             width=geometry.width,
             height=geometry.height,

@@ -22,8 +22,9 @@ A frame, little endian (offset, type, meaning):
 56     -      n * 2 f32 positions, n * u8 species, ceil(n / 8) u8 highlight bits (bit 0 first)
 ====== ====== ==============================================================================
 
-From the browser comes JSON text only: ``{"ack": frames received, "drawn": frames drawn}`` and
-``{"hidden": bool}``.
+A species fits into a byte because a scenario has at most 250.
+
+From the browser comes JSON text only: ``{"ack": frames received, "drawn": frames drawn}``, ``{"hidden": bool}``.
 """
 
 from __future__ import annotations
@@ -39,11 +40,9 @@ from numpy.typing import NDArray
 from gasbox.app.sample import Followed
 from gasbox.geometry import Rectangle
 
-__all__ = ["MAX_SPECIES", "VERSION", "WireFrame", "decode_frame", "encode_frame", "notice", "table"]
+__all__ = ["VERSION", "WireFrame", "decode_frame", "encode_frame", "notice", "table"]
 
 VERSION: Final = 1
-MAX_SPECIES: Final = 256
-"""A disc's species travels as one byte."""
 
 _HEADER: Final = struct.Struct("<BBHIIIdffIIffff")
 _HIGHLIGHT, _FOLLOWED, _PLAYING = 1, 2, 4

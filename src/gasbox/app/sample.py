@@ -24,7 +24,7 @@ class Sample:
     version : increases with each load and reset; numbers of different versions must not be mixed
     scenario, geometry : what the gas was made from
     time : [time]
-    frame : frames done since the start of the scenario
+    frame : whole frames of simulated time since time 0
     state, tallies : independent copies; do not change them
     playing : whether the gas was running
     shown_fps : frames that the browser drew per second, lately; 0 if nothing was drawn

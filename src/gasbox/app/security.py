@@ -28,10 +28,6 @@ _HEADERS: Final = {
 _LOCAL: Final = frozenset({"localhost", "127.0.0.1", "::1"})
 
 
-class _TooLargeError(Exception):
-    pass
-
-
 def is_loopback(host: str) -> bool:
     """Whether only this machine can reach a server that listens on `host`."""
     try:
@@ -65,7 +61,8 @@ class Guard:
             await self.app(scope, receive, send)
             return
         headers = Headers(scope=scope)
-        if not self._is_good_host(headers.get("host", "")):
+        hosts = headers.getlist("host")
+        if len(hosts) != 1 or not self._is_good_host(hosts[0]):
             await _refuse(scope, receive, send, 400, "This address is not one of this server.")
         elif not _is_same_origin(headers):
             await _refuse(scope, receive, send, 403, "Requests from other sites are not answered.")
@@ -88,32 +85,44 @@ class Guard:
         if not length.isdigit() or int(length) > self._max_body:
             await _refuse(scope, receive, send, 413, self._limit())
             return
-        begun = False
-        received = 0
-
-        async def counted() -> Message:
-            nonlocal received
-            message = await receive()
-            received += len(message.get("body", b""))
-            if received > self._max_body:
-                raise _TooLargeError
-            return message
-
-        async def with_headers(message: Message) -> None:
-            nonlocal begun
-            if message["type"] == "http.response.start":
-                begun = True
-                _add_headers(message)
-            await send(message)
-
-        try:
-            await self.app(scope, counted, with_headers)
-        except _TooLargeError:
-            if not begun:
-                await _refuse(scope, receive, send, 413, self._limit())
+        await _Measured(self.app, scope, receive, send, self._max_body, self._limit()).answer()
 
     def _limit(self) -> str:
         return f"The file is too large: at most {self._max_body // 2**20} MB are accepted."
+
+
+class _Measured:
+    """One answer, whose request's body is counted while it comes in; a body that is too long ends in status 413."""
+
+    def __init__(
+        self, app: ASGIApp, scope: Scope, receive: Receive, send: Send, max_body: int, limit: str
+    ) -> None:
+        self._app, self._scope, self._receive, self._send = app, scope, receive, send
+        self._left, self._limit = max_body, limit
+        self._begun = False
+
+    async def answer(self) -> None:
+        try:
+            await self._app(self._scope, self._count, self._pass_on)
+        except Exception:
+            if self._left >= 0:
+                raise
+        if self._left < 0 and not self._begun:
+            await _refuse(self._scope, self._receive, self._send, 413, self._limit)
+
+    async def _count(self) -> Message:
+        message = await self._receive()
+        self._left -= len(message.get("body", b""))
+        # What reads the body then gives up; what it says about that is not passed on.
+        return {"type": "http.disconnect"} if self._left < 0 else message
+
+    async def _pass_on(self, message: Message) -> None:
+        if self._left < 0 and not self._begun:
+            return
+        if message["type"] == "http.response.start":
+            self._begun = True
+            _add_headers(message)
+        await self._send(message)
 
 
 def _is_address(name: str) -> bool:

@@ -13,7 +13,6 @@ from collections.abc import Callable
 from concurrent.futures import CancelledError, Future
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from gasbox.app import picture
 from gasbox.app.mailbox import Mailbox
 from gasbox.app.pace import SPEED_LIMITS
 from gasbox.app.sample import Bin, Followed, Quantity, Sample
@@ -23,7 +22,7 @@ from gasbox.errors import UsageError
 from gasbox.scenario import Scenario
 
 if TYPE_CHECKING:
-    from gasbox.run import Simulation
+    from gasbox.simulation import Simulation
 
 __all__ = ["Session"]
 
@@ -32,7 +31,7 @@ _T = TypeVar("_T")
 
 def _simulate(scenario: Scenario) -> Simulation:
     # Imported here: numba and the kernels come in while the page is already being served.
-    from gasbox.run import Simulation
+    from gasbox.simulation import Simulation
 
     return Simulation(scenario)
 
@@ -176,7 +175,6 @@ class Session:
         UsageError
             The session has ended.
         """
-        picture.check(scenario)
         self._prepare()
         simulation = self._simulate(scenario)
         if self.started:
@@ -302,7 +300,6 @@ class Session:
 
     def _make_first(self) -> Simulation:
         self._prepare()
-        picture.check(self._scenario)
         return self._simulate(self._scenario)
 
     def _attempt(self, make: Callable[[], Simulation]) -> None:

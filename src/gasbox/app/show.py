@@ -13,7 +13,7 @@ from gasbox.app.sample import Bin, Followed, Sample
 from gasbox.errors import GasboxError, UsageError
 
 if TYPE_CHECKING:
-    from gasbox.run import Simulation
+    from gasbox.simulation import Simulation
 
 __all__ = ["Show", "Wishes"]
 
@@ -148,7 +148,14 @@ class Show:
             self.sample = self._copy(motion)
         if mailbox is not None and not mailbox.hidden:
             mailbox.put_frame(
-                picture.frame(simulation, self._generation, wishes.playing, wishes.light, wishes.followed_id)
+                picture.frame(
+                    simulation,
+                    generation=self._generation,
+                    number=motion.frame,
+                    playing=wishes.playing,
+                    light=wishes.light,
+                    followed_id=wishes.followed_id,
+                )
             )
 
     def _copy(self, motion: Motion) -> Sample:
@@ -158,7 +165,7 @@ class Show:
             scenario=simulation.scenario,
             geometry=simulation.geometry,
             time=simulation.time,
-            frame=simulation.frame,
+            frame=motion.frame,
             state=simulation.state.copy(),
             tallies=simulation.dynamics.tallies.copy(),
             playing=self._wishes.playing,

@@ -1,0 +1,68 @@
+"""The frame socket behind its guard in a real server, without the page."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import uvicorn
+from fastapi import FastAPI, Request, WebSocket
+from free_flight import FreeFlight
+
+from gasbox.app.registry import Registry
+from gasbox.app.security import Guard
+from gasbox.app.session import Session
+from gasbox.app.stream import PATH, serve_frames
+
+
+@dataclass
+class FrameServer:
+    registry: Registry
+    port: int
+
+    def url(self, session: Session, query: str = "") -> str:
+        return f"ws://127.0.0.1:{self.port}/gasbox/frames/{session.id}{query}"
+
+
+def application(registry: Registry) -> FastAPI:
+    app = FastAPI()
+
+    @app.websocket(PATH)
+    async def frames(socket: WebSocket, session_id: str, previous: str | None = None) -> None:
+        await serve_frames(socket, registry, session_id, previous)
+
+    @app.post("/size")
+    async def size(request: Request) -> int:
+        return len(await request.body())
+
+    @app.get("/")
+    async def page() -> str:
+        return "the page"
+
+    return app
+
+
+@contextlib.contextmanager
+def running(max_sessions: int = 3, max_body: int = 10_000) -> Iterator[FrameServer]:
+    registry = Registry(max_sessions, functools.partial(Session, simulate=FreeFlight))
+    listener = socket.create_server(("127.0.0.1", 0))
+    app = Guard(application(registry), max_body=max_body)
+    server = uvicorn.Server(
+        uvicorn.Config(app, log_level="error", ws="websockets-sansio", ws_per_message_deflate=False)
+    )
+    thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)
+    thread.start()
+    while not server.started:
+        time.sleep(0.01)
+    try:
+        yield FrameServer(registry, listener.getsockname()[1])
+    finally:
+        registry.close()
+        server.should_exit = True
+        thread.join(10)
+        listener.close()

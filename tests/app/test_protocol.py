@@ -1,0 +1,115 @@
+"""The wire format in Python; `test_protocol_browser` reads the same bytes in JavaScript."""
+
+from __future__ import annotations
+
+import json
+import struct
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from gasbox.app.protocol import WireFrame, decode_frame, encode_frame, notice, table
+from gasbox.app.sample import Followed
+from gasbox.geometry import Rectangle
+
+pytestmark = pytest.mark.small
+
+
+@st.composite
+def wire_frames(draw: st.DrawFn) -> WireFrame:
+    n = draw(st.integers(0, 40))
+    small = st.floats(-1e6, 1e6, width=32)
+    row = draw(st.integers(0, n - 1)) if n and draw(st.booleans()) else None
+    species = draw(arrays.arrays(np.uint8, n))
+    pair = st.tuples(small, small)
+    return WireFrame(
+        generation=draw(st.integers(0, 2**32 - 1)),
+        number=draw(st.integers(0, 2**32 - 1)),
+        time=draw(st.floats(allow_nan=False, allow_infinity=False)),
+        width=draw(small),
+        height=draw(small),
+        playing=draw(st.booleans()),
+        position=draw(arrays.arrays(np.float32, (n, 2), elements=small)),
+        species=species,
+        highlight=draw(st.none() | arrays.arrays(np.bool_, n)),
+        followed=None
+        if row is None
+        else Followed(draw(st.integers(0, 2**32 - 1)), int(species[row]), draw(pair), draw(pair)),
+        row=row or 0,
+    )
+
+
+@given(wire_frames())
+def test_what_is_encoded_is_decoded(frame: WireFrame) -> None:
+    back = decode_frame(encode_frame(frame))
+    for name in ("generation", "number", "time", "width", "height", "playing", "followed"):
+        assert getattr(back, name) == getattr(frame, name)
+    np.testing.assert_array_equal(back.position, frame.position)
+    np.testing.assert_array_equal(back.species, frame.species)
+    if frame.highlight is None:
+        assert back.highlight is None
+    else:
+        np.testing.assert_array_equal(back.highlight, frame.highlight)
+
+
+@given(wire_frames(), st.data())
+def test_a_frame_cut_short_is_refused(frame: WireFrame, data: st.DataObject) -> None:
+    message = encode_frame(frame)
+    with pytest.raises(ValueError, match="frame"):
+        decode_frame(message[: data.draw(st.integers(0, len(message) - 1))])
+
+
+def test_another_version_is_refused() -> None:
+    with pytest.raises(ValueError, match="version"):
+        decode_frame(bytes([99]) + bytes(100))
+
+
+def test_the_bytes_are_those_of_the_description() -> None:
+    frame = WireFrame(
+        generation=7,
+        number=11,
+        time=2.5,
+        width=60.0,
+        height=40.0,
+        playing=True,
+        position=np.array([[1, 2], [3, 4], [5, 6]], np.float32),
+        species=np.array([0, 1, 2], np.uint8),
+        highlight=np.array([True, False, True]),
+        followed=Followed(21, 1, (3.0, 4.0), (0.5, -0.5)),
+        row=1,
+    )
+    message = encode_frame(frame)
+    assert message[:4] == bytes([1, 7, 56, 0])
+    assert struct.unpack_from("<III", message, 4) == (7, 11, 3)
+    assert struct.unpack_from("<d", message, 16) == (2.5,)
+    assert struct.unpack_from("<ff", message, 24) == (60.0, 40.0)
+    assert struct.unpack_from("<IIffff", message, 32) == (1, 21, 3.0, 4.0, 0.5, -0.5)
+    assert struct.unpack_from("<6f", message, 56) == (1, 2, 3, 4, 5, 6)
+    assert message[80:] == bytes([0, 1, 2, 0b101])
+
+
+def test_a_disc_takes_nine_bytes() -> None:
+    many = WireFrame(0, 0, 0.0, 1.0, 1.0, True, np.zeros((1000, 2), np.float32), np.zeros(1000, np.uint8))
+    assert len(encode_frame(many)) == 56 + 9 * 1000
+
+
+def test_the_table_says_what_does_not_change() -> None:
+    message = json.loads(
+        table(3, Rectangle(60.0, 40.0, True, False), ["a", "b"], [1.0, 2.5], ["#f00", "#0f0"])
+    )
+    assert message == {
+        "kind": "table",
+        "generation": 3,
+        "container": {"shape": "rectangle", "width": 60.0, "height": 40.0, "periodic": [True, False]},
+        "species": [
+            {"name": "a", "radius": 1.0, "color": "#f00"},
+            {"name": "b", "radius": 2.5, "color": "#0f0"},
+        ],
+    }
+
+
+def test_notices_are_json_with_a_kind() -> None:
+    assert json.loads(notice("busy", text="full")) == {"kind": "busy", "text": "full"}

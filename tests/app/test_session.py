@@ -1,0 +1,315 @@
+"""A session: its thread, its orders, who looks, and what it hands out."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from free_flight import FreeFlight, gas
+
+from gasbox.app import protocol
+from gasbox.app.mailbox import Mailbox
+from gasbox.app.session import Session
+from gasbox.errors import Problem, ScenarioError, UsageError
+
+
+def until(condition: Callable[[], Any], seconds: float = 10.0) -> None:
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "it did not come true"
+        time.sleep(0.005)
+
+
+@pytest.fixture
+def session() -> Iterator[Session]:
+    one = Session(gas(), unwatched=True, simulate=FreeFlight)
+    yield one
+    one.close()
+
+
+@pytest.fixture
+def paused(session: Session) -> Session:
+    session.pause()
+    session.start()
+    session.settle()
+    return session
+
+
+def open_mailbox(session: Session) -> Mailbox:
+    mailbox = Mailbox(ring=lambda: None)
+    session.attach(mailbox)
+    session.settle()
+    return mailbox
+
+
+def frames(mailbox: Mailbox) -> list[protocol.WireFrame]:
+    taken = iter(mailbox.take, None)
+    return [protocol.decode_frame(message) for message in taken if isinstance(message, bytes)]
+
+
+def test_it_costs_nothing_before_it_starts(session: Session) -> None:
+    before = threading.active_count()
+    assert session.sample() is None
+    session.play()
+    session.set_speed(2.0)
+    session.clear_highlight()
+    assert not session.started
+    assert threading.active_count() == before
+
+
+def test_time_runs_and_stands_still(session: Session) -> None:
+    session.start()
+    until(lambda: (sample := session.sample()) and sample.time > 1.0)
+    session.pause()
+    session.settle()
+    stopped = session.sample()
+    time.sleep(0.1)
+    assert session.sample() is stopped
+    assert stopped is not None
+    assert not stopped.playing
+    session.toggle()
+    until(lambda: (sample := session.sample()) and sample.time > stopped.time)
+
+
+def test_a_sample_is_a_copy(paused: Session) -> None:
+    first = paused.sample()
+    paused.step().result(5)
+    second = paused.sample()
+    assert first is not None
+    assert second is not None
+    assert first.time == 0.0
+    assert second.time == 0.5
+    assert not np.shares_memory(first.state.position, second.state.position)
+    assert not np.array_equal(first.state.position, second.state.position)
+
+
+def test_reset_gives_the_same_start(paused: Session) -> None:
+    start = paused.sample()
+    for _ in range(3):
+        paused.step()
+    paused.reset().result(5)
+    again = paused.sample()
+    assert start is not None
+    assert again is not None
+    assert again.time == 0.0
+    assert again.version == start.version + 1
+    np.testing.assert_array_equal(again.state.position, start.state.position)
+
+
+def test_speed_has_limits(session: Session) -> None:
+    session.set_speed(1000.0)
+    assert session.speed == 100.0
+    session.set_speed(0.0)
+    assert session.speed == 0.1
+    with pytest.raises(UsageError, match=r"0\.1"):
+        session.set_speed(float("nan"))
+
+
+def test_load_replaces_the_gas_when_it_returns(paused: Session) -> None:
+    other = gas((7,))
+    paused.load(other)
+    sample = paused.sample()
+    assert sample is not None
+    assert paused.scenario is other
+    assert (sample.scenario, sample.state.count, sample.version) == (other, 7, 2)
+
+
+def test_a_refused_load_leaves_the_old_gas_alone() -> None:
+    def refuse(scenario: Any) -> Any:
+        if len(scenario.species) == 1:
+            raise ScenarioError([Problem("species", "too much", "less")])
+        return FreeFlight(scenario)
+
+    session = Session(gas(), unwatched=True, simulate=refuse)
+    session.pause()
+    session.start()
+    session.settle()
+    before = session.sample()
+    with pytest.raises(ScenarioError):
+        session.load(gas((7,)))
+    session.settle()
+    assert session.sample() is before
+    assert len(session.scenario.species) == 2
+    session.close()
+
+
+def test_a_gas_that_cannot_be_made_is_reported() -> None:
+    def fail(_: Any) -> Any:
+        raise ScenarioError([Problem("container", "nothing", "something")])
+
+    session = Session(gas(), simulate=fail)
+    mailbox = Mailbox(ring=lambda: None)
+    session.start()
+    session.attach(mailbox)
+    session.settle()
+    assert session.trouble is not None
+    assert "container" in session.trouble
+    assert "trouble" in str(mailbox.take())
+    with pytest.raises(UsageError, match="container"):
+        session.snapshot()
+    session.close()
+
+
+def test_an_engine_that_fails_stops_the_clock_and_says_why(session: Session) -> None:
+    session.pause()
+    session.start()
+    session.settle()
+    session._show.simulation.advance = _broken  # type: ignore[method-assign]
+    session.play()
+    until(lambda: session.trouble)
+    assert session.trouble == "no progress"
+    assert not session.playing
+    session.reset().result(5)
+    assert session.trouble is None
+
+
+def _broken(**_: float) -> None:
+    from gasbox.errors import DynamicsError
+
+    raise DynamicsError("no progress")
+
+
+def test_a_browser_gets_the_table_before_the_first_frame(paused: Session) -> None:
+    mailbox = open_mailbox(paused)
+    text, frame = mailbox.take(), mailbox.take()
+    assert isinstance(text, str)
+    assert '"kind":"table"' in text
+    assert isinstance(frame, bytes)
+    assert f'"generation":{protocol.decode_frame(frame).generation}' in text
+
+
+def test_frames_of_an_old_table_are_never_sent_after_the_new_one(paused: Session) -> None:
+    mailbox = open_mailbox(paused)
+    paused.load(gas((7,)))
+    texts = [message for message in iter(mailbox.take, None) if isinstance(message, str)]
+    assert len(texts) == 2
+    mailbox.ack(1, 1)
+    paused.step().result(5)
+    assert {len(frame.species) for frame in frames(mailbox)} == {7}
+
+
+def test_highlighted_are_those_of_the_bin(paused: Session) -> None:
+    sample = paused.sample()
+    assert sample is not None
+    state = sample.state
+    speed = np.sqrt((state.velocity**2).sum(axis=1))
+    mailbox = open_mailbox(paused)
+    paused.highlight(1, 0.05, 0.15)
+    paused.settle()
+    lit = frames(mailbox)[-1].highlight
+    np.testing.assert_array_equal(lit, (state.species == 1) & (speed >= 0.05) & (speed < 0.15))
+    assert lit is not None
+    assert lit.any()
+    mailbox.ack(1, 1)
+    paused.highlight(0, 0.0, 0.005, "energy")
+    paused.settle()
+    energy = 0.5 * state.mass * speed**2
+    np.testing.assert_array_equal(frames(mailbox)[-1].highlight, (state.species == 0) & (energy < 0.005))
+    mailbox.ack(2, 2)
+    paused.clear_highlight()
+    paused.settle()
+    assert frames(mailbox)[-1].highlight is None
+
+
+def test_a_followed_disc_is_in_the_frame(paused: Session) -> None:
+    mailbox = open_mailbox(paused)
+    paused.follow(33)
+    paused.settle()
+    sample = paused.sample()
+    assert sample is not None
+    frame = frames(mailbox)[-1]
+    assert frame.row == 33
+    followed = paused.followed()
+    assert followed is not None
+    assert followed.position == tuple(sample.state.position[33])
+    assert followed.speed == pytest.approx(np.linalg.norm(sample.state.velocity[33]))
+    assert paused.id_of_row(33) == 33
+    paused.follow(5000)
+    paused.settle()
+    assert paused.followed() is None
+
+
+@pytest.mark.parametrize("row", [None, -1, 50, "3", 1.5])
+def test_a_row_that_is_none(paused: Session, row: Any) -> None:
+    assert paused.id_of_row(row) is None
+
+
+def test_time_stands_still_while_nobody_looks() -> None:
+    session = Session(gas(), simulate=FreeFlight)
+    session.start()
+    session.settle()
+    time.sleep(0.1)
+    assert session._show.simulation.time == 0.0
+
+    mailbox = open_mailbox(session)
+    until(lambda: session._show.simulation.time > 0.5)
+
+    mailbox.hidden = True
+    session.settle()
+    until(lambda: not session._show.running)
+    hidden = session._show.simulation.time
+    time.sleep(0.1)
+    assert session._show.simulation.time == hidden
+
+    mailbox.hidden = False
+    session.wake()
+    until(lambda: session._show.simulation.time > hidden)
+    session.close()
+
+
+def test_without_acks_it_suspends_and_an_ack_wakes_it_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gasbox.app.mailbox.NO_ACK_LIMIT", 0.2)
+    session = Session(gas(), simulate=FreeFlight)
+    session.start()
+    mailbox = open_mailbox(session)
+    until(lambda: isinstance(mailbox.take(), bytes))
+    until(lambda: not session._show.running)
+    stopped = session._show.simulation.time
+    time.sleep(0.1)
+    assert session._show.simulation.time == stopped
+    assert not session.watched
+    mailbox.ack(1, 1)
+    session.wake()
+    until(lambda: session._show.simulation.time > stopped)
+    session.close()
+
+
+def test_a_second_browser_takes_over(paused: Session) -> None:
+    first = open_mailbox(paused)
+    second = open_mailbox(paused)
+    assert first.closed
+    assert not second.closed
+    paused.detach(first)
+    assert paused.attached
+    paused.detach(second)
+    assert not paused.attached
+
+
+def test_gas_and_speed_are_handed_over(session: Session) -> None:
+    session.start()
+    session.set_speed(3.0)
+    session.pause()
+    session.step().result(5)
+    gas_itself = session._show.simulation
+    heir = Session(session.origin, unwatched=True, simulate=FreeFlight)
+    session.hand_over(heir)
+    heir.settle()
+    assert heir._show.simulation is gas_itself
+    assert (heir.speed, heir.playing) == (3.0, False)
+    with pytest.raises(UsageError, match="ended"):
+        session.settle()
+    heir.close()
+
+
+def test_closing_ends_the_thread() -> None:
+    before = threading.active_count()
+    session = Session(gas(), unwatched=True, simulate=FreeFlight)
+    session.start()
+    session.settle()
+    assert threading.active_count() == before + 1
+    session.close()
+    assert threading.active_count() == before
