@@ -32,6 +32,7 @@ class Column:
         row = np.asarray(example)
         self._fill = fill
         self._rows: list[NDArray[Any]] = []
+        self._written = 0
         self.dataset = group.create_dataset(
             name,
             shape=(0, *row.shape),
@@ -67,14 +68,13 @@ class Column:
         self._rows.append(array)
 
     def write(self) -> None:
-        """Append all waiting rows to the file."""
+        """Append all waiting rows to the file; if it is broken off, the next call does it again."""
         if not self._rows:
             return
-        first = self.dataset.shape[0]
-        block = self._block()
+        block, first = self._block(), self._written
         self.dataset.resize((first + len(block), *np.maximum(self.dataset.shape[1:], block.shape[1:])))
         self.dataset[(slice(first, None), *(slice(0, length) for length in block.shape[1:]))] = block
-        self._rows.clear()
+        self._rows, self._written = [], first + len(block)
 
     def _block(self) -> NDArray[Any]:
         if self._rows[0].ndim == 0 or len({row.shape[0] for row in self._rows}) == 1:

@@ -1,0 +1,5 @@
+"""`python -m gasbox` is the `gasbox` command."""
+
+from gasbox.cli import main
+
+main()

@@ -1,0 +1,72 @@
+"""Progress on standard error, for people only: nothing is drawn where nobody looks."""
+
+from __future__ import annotations
+
+import time
+from types import TracebackType
+
+from rich.console import Console
+from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+from rich.progress import Progress as Bar
+
+__all__ = ["Progress", "compile_first"]
+
+_SECONDS = 0.1
+
+
+class Progress:
+    """A bar over simulated time; use it as a context manager.
+
+    Parameters
+    ----------
+    start, end : of the run [time]
+    """
+
+    def __init__(self, start: float, end: float) -> None:
+        self._start, self._drawn_at = start, 0.0
+        console = Console(stderr=True)
+        self._bar = Bar(
+            TextColumn("time {task.fields[time]:g}"),
+            BarColumn(),
+            TaskProgressColumn(),
+            TimeElapsedColumn(),
+            TextColumn("left"),
+            TimeRemainingColumn(),
+            console=console,
+            transient=True,
+            disable=not console.is_terminal,
+        )
+        self._task = self._bar.add_task("run", total=max(end - start, 0.0), time=start)
+
+    def __enter__(self) -> Progress:
+        self._bar.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._bar.stop()
+
+    def show(self, now: float) -> None:
+        """Draw the simulated time, unless that was just done."""
+        moment = time.monotonic()
+        if moment - self._drawn_at >= _SECONDS:
+            self._drawn_at = moment
+            self._bar.update(self._task, completed=now - self._start, time=now)
+
+
+def compile_first() -> None:
+    """Compile or load the kernels, so that a run is not held up; says so when it takes long."""
+    from gasbox.build import compile_kernels
+    from gasbox.jit import was_compiled
+
+    if was_compiled():
+        compile_kernels()
+        return
+    console = Console(stderr=True)
+    console.print("Compiling kernels for this machine: at the first start only, a minute or so.")
+    with Bar(console=console, transient=True, disable=not console.is_terminal) as bar:
+        task = bar.add_task("", total=None)
+        compile_kernels(
+            lambda done, total, name: bar.update(task, completed=done, total=total, description=name)
+        )

@@ -1,0 +1,82 @@
+"""What a run came to, for people as a table and for programs as JSON."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from collections.abc import Iterable
+from typing import Any
+
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from gasbox.units import UNIT
+
+__all__ = ["print_json", "print_summary", "warn"]
+
+_ROWS = (
+    ("time", "time", UNIT["time"]),
+    ("frames", "frames", ""),
+    ("particles", "particles", ""),
+    ("collisions", "collisions of pairs", ""),
+    ("wall_collisions", "collisions with walls", ""),
+    ("energy", "energy", UNIT["energy"]),
+    ("momentum", "momentum", UNIT["momentum"]),
+    ("temperature", "temperature", UNIT["temperature"]),
+    ("pressure", "pressure on the walls", UNIT["pressure"]),
+    ("pressure_virial", "pressure by the virial", UNIT["pressure"]),
+    ("mean_free_path", "mean free path", UNIT["position"]),
+    ("wall_seconds", "duration of the loop", "s"),
+    ("collisions_per_second", "collisions a second", ""),
+    ("particle_steps_per_second", "particle steps a second", ""),
+)
+_SPECIES = (
+    ("count", "particles"),
+    ("temperature", "temperature"),
+    ("mean_speed", "mean speed"),
+    ("rms_speed", "rms speed"),
+    ("center_of_mass", "centre of mass"),
+)
+
+
+def warn(warnings: Iterable[str]) -> None:
+    """Print warnings on standard error."""
+    for warning in warnings:
+        print(f"Warning: {warning}", file=sys.stderr)
+
+
+def print_json(summary: dict[str, Any]) -> None:
+    """Print one JSON object; what is no finite number becomes null, as JSON has no other."""
+    print(json.dumps(_finite(summary), allow_nan=False, indent=2, ensure_ascii=False))
+
+
+def print_summary(summary: dict[str, Any], title: str) -> None:
+    """Print a table of the whole gas and one of its species."""
+    console = Console(highlight=False)
+    table = Table(title=escape(title) or None, title_justify="left", show_header=False)
+    for name, meaning, unit in _ROWS:
+        if name in summary:
+            table.add_row(meaning, _text(summary[name]), unit)
+    console.print(table)
+    species = Table("species", *(meaning for _, meaning in _SPECIES))
+    for entry in summary["species"]:
+        species.add_row(escape(entry["name"]), *(_text(entry[name]) for name, _ in _SPECIES))
+    console.print(species)
+
+
+def _text(value: Any) -> str:
+    if value is None:
+        return "-"
+    if isinstance(value, list):
+        return f"({', '.join(map(_text, value))})"
+    return f"{value:.6g}" if isinstance(value, float) else f"{value}"
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _finite(entry) for key, entry in value.items()}
+    if isinstance(value, list):
+        return [_finite(entry) for entry in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
