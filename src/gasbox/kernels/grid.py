@@ -45,8 +45,10 @@ def classes(radius: NDArray[np.float64], ratio: float) -> tuple[NDArray[np.int32
     Returns
     -------
     level : (n,) int32, finest class 0
-    largest : (levels,) float64, largest radius in each class
+    largest : (levels,) float64, largest radius in each class; one class of radius 1 without any discs
     """
+    if not radius.size:
+        return np.zeros(0, np.int32), np.ones(1)
     sizes, inverse = np.unique(radius, return_inverse=True)
     level_of_size = np.zeros(sizes.size, np.int32)
     smallest, largest = sizes[:1].tolist(), sizes[:1].tolist()
@@ -62,7 +64,7 @@ def classes(radius: NDArray[np.float64], ratio: float) -> tuple[NDArray[np.int32
 def grid(radius: NDArray[np.float64], width: float, height: float, ratio: float = 2.0) -> Grid:
     """Empty grids for discs of these radii (n,) [length] in a box of width x height [length]."""
     level, largest = classes(radius, ratio)
-    members = np.bincount(level, minlength=largest.size) if radius.size else np.zeros(largest.size, np.int64)
+    members = np.bincount(level, minlength=largest.size)
     side = np.maximum(2.0 * largest * (1 + 1e-9), np.sqrt(width * height / np.maximum(members, 1)))
     columns = np.maximum(1, np.floor(width / side)).astype(np.int64)
     rows = np.maximum(1, np.floor(height / side)).astype(np.int64)

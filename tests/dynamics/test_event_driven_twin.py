@@ -1,0 +1,41 @@
+"""The fast engine against the slow twin: the same collisions, to the bit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from gases import collect, deepest_overlap, event_driven, random_gas
+from twins import EventDrivenTwin
+
+from gasbox.geometry import Rectangle
+
+GASES = {
+    "walled": (Rectangle(12, 9), [0.5] * 20, None),
+    "periodic": (Rectangle(10, 8, True, True), [0.5] * 24, None),
+    "slab": (Rectangle(9, 7, True, False), [0.6] * 12, None),
+    "crowded": (Rectangle(7, 7, True, True), [0.5] * 28, None),
+    "mixture": (Rectangle(20, 16), [3.0, 2.0] + [0.15] * 20 + [0.6] * 4, [50, 9] + [0.1] * 20 + [1] * 4),
+    "mixture, periodic": (Rectangle(14, 11, True, True), [2.5] + [0.05] * 20 + [0.5] * 4, None),
+    "two in a tiny box": (Rectangle(2.2, 2.2, True, True), [0.5, 0.5], None),
+    "two, box of one cell and a bit": (Rectangle(2.9, 1.3, True, True), [0.5, 0.5], [1, 3]),
+    "three in a narrow box": (Rectangle(1.7, 6.0, True, False), [0.4, 0.3, 0.4], None),
+}
+
+
+@pytest.mark.small
+@pytest.mark.parametrize("name", GASES)
+@pytest.mark.parametrize("seed", [1, 2])
+def test_the_same_events_to_the_bit(name, seed):
+    geometry, radii, masses = GASES[name]
+    state = random_gas(seed, geometry, radii, masses)
+    twin = EventDrivenTwin(state, geometry)
+    engine = event_driven(state, geometry, contacts=7)
+    until = 60.0 / len(radii) ** 1.3
+    twin.run(until)
+    rows = collect(engine, state, until)
+    executed = [(time, 1 if kind == 0 else 2, first, second) for kind, time, first, second, _, _ in rows]
+    assert len(executed) >= 3
+    assert executed == twin.events
+    assert np.array_equal(state.position, twin.position(until))
+    assert np.array_equal(state.velocity, twin.v)
+    assert deepest_overlap(state, geometry) < 1e-9
