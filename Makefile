@@ -35,7 +35,7 @@ format: ready-to-develop ## let ruff put the code in shape
 	@$(BIN)/ruff format .
 
 bench: ready-to-develop ## rates on this machine, against the peers that are installed
-	@$(BIN)/gasbox bench $(ARGS)
+	@$(BIN)/gasbox bench -o benchmarks/results $(ARGS)
 
 validate: ready-to-develop ## long comparisons with published numbers
 	@$(PYTEST) -m validate $(ARGS)
