@@ -33,6 +33,9 @@ def with_settings(scenario: Scenario, settings: Mapping[str, str], source: str =
     if scenario.particles is not None:
         edited = any(_steps(path)[0] == "particles" for path in settings)
         data["particles"] = scenario.particles.to_json() if edited else scenario.particles
+    kind = settings.get("dynamics.kind")
+    if kind is not None and kind != data["dynamics"]["kind"]:
+        data["dynamics"] = {}  # another kind has other settings, and starts from its own defaults
     for path, value in settings.items():
         _set(data, path, _read(value))
     return parse(data, source)
