@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -35,53 +36,71 @@ class Crowd:
     members : indices of the species placed wholly inside it
     fraction : area of all discs inside (listed ones, too) over the area of that part
     one_size : whether all discs inside have one radius
+    alone : whether no disc from elsewhere can get in the way: no other part overlaps this one
     """
 
     bounds: Bounds
     members: tuple[int, ...]
     fraction: float
     one_size: bool
+    alone: bool
+
+    @property
+    def area(self) -> float:
+        """Area [length²] of the part."""
+        return (self.bounds[1] - self.bounds[0]) * (self.bounds[3] - self.bounds[2])
 
     @property
     def limit(self) -> float:
         """Greatest area fraction at which these are placed."""
-        return ONE_SIZE_LIMIT if self.one_size else MIXTURE_LIMIT
+        return ONE_SIZE_LIMIT if self.one_size and self.alone else MIXTURE_LIMIT
 
 
 def crowds(geometry: Rectangle, species: Sequence[Species], particles: Particles | None) -> tuple[Crowd, ...]:
-    """One crowd for each part of the container that is asked for, and one for the whole of several parts."""
-    asked = [entry.bounds(geometry) for entry in species if entry.count]
+    """One crowd for each part of the container that is asked for; if any overlap, the last one is the whole."""
     whole = (0.0, geometry.width, 0.0, geometry.height)
-    parts = list(dict.fromkeys(asked))
-    if len(parts) > 1 and whole not in parts:
-        parts.append(whole)
-    return tuple(_crowd(part, geometry, species, particles) for part in parts)
+    parts = list(dict.fromkeys(entry.bounds(geometry) for entry in species if entry.count))
+    overlapping = any(_overlap(one, other) for one, other in itertools.combinations(parts, 2))
+    if overlapping:
+        parts = [part for part in parts if part != whole] + [whole]
+    return tuple(_crowd(part, not overlapping, geometry, species, particles) for part in parts)
+
+
+def _overlap(one: Bounds, other: Bounds) -> bool:
+    return max(one[0], other[0]) < min(one[1], other[1]) and max(one[2], other[2]) < min(one[3], other[3])
+
+
+def _inside(inner: Bounds, outer: Bounds) -> bool:
+    return inner[0] >= outer[0] and inner[1] <= outer[1] and inner[2] >= outer[2] and inner[3] <= outer[3]
 
 
 def _crowd(
-    part: Bounds, geometry: Rectangle, species: Sequence[Species], particles: Particles | None
+    part: Bounds, alone: bool, geometry: Rectangle, species: Sequence[Species], particles: Particles | None
 ) -> Crowd:
     members = tuple(
         number
         for number, entry in enumerate(species)
         if entry.count and _inside(entry.bounds(geometry), part)
     )
-    area = sum(species[number].count * math.pi * species[number].radius ** 2 for number in members)
-    radii = {species[number].radius for number in members}
-    if particles is not None and particles.count:
-        x, y = particles.position.T
-        held = (x >= part[0]) & (x <= part[1]) & (y >= part[2]) & (y <= part[3])
-        counts = np.bincount(particles.index[held], minlength=len(particles.names))
-        sizes = {entry.name: entry.radius for entry in species}
-        for name, count in zip(particles.names, counts.tolist(), strict=True):
-            if count and name in sizes:
-                area += count * math.pi * sizes[name] ** 2
-                radii.add(sizes[name])
-    return Crowd(part, members, area / ((part[1] - part[0]) * (part[3] - part[2])), len(radii) <= 1)
+    sizes = [(species[number].radius, species[number].count) for number in members]
+    sizes += _listed_sizes(part, species, particles)
+    area = sum(count * math.pi * radius**2 for radius, count in sizes)
+    fraction = area / ((part[1] - part[0]) * (part[3] - part[2]))
+    return Crowd(part, members, fraction, len({radius for radius, _ in sizes}) <= 1, alone)
 
 
-def _inside(inner: Bounds, outer: Bounds) -> bool:
-    return inner[0] >= outer[0] and inner[1] <= outer[1] and inner[2] >= outer[2] and inner[3] <= outer[3]
+def _listed_sizes(
+    part: Bounds, species: Sequence[Species], particles: Particles | None
+) -> list[tuple[float, int]]:
+    """Radius [length] and number of the listed discs whose centres lie in the part."""
+    if particles is None or not particles.count:
+        return []
+    x, y = particles.position.T
+    held = (x >= part[0]) & (x <= part[1]) & (y >= part[2]) & (y <= part[3])
+    counts = np.bincount(particles.index[held], minlength=len(particles.names)).tolist()
+    radius = {entry.name: entry.radius for entry in species}
+    named = zip(particles.names, counts, strict=True)
+    return [(radius[name], count) for name, count in named if count and name in radius]
 
 
 def density_problems(
@@ -92,7 +111,7 @@ def density_problems(
     for crowd in crowds(geometry, species, particles):
         if crowd.fraction <= crowd.limit * (1 + _ROUNDING):
             continue
-        kind = "discs of one size" if crowd.one_size else "discs of several sizes"
+        kind = "discs of one size" if crowd.limit == ONE_SIZE_LIMIT else "discs of several sizes or regions"
         single = len(crowd.members) == 1
         path = f"species[{crowd.members[0]}].count" if single else "species"
         where = "" if crowd.bounds == whole else " of the region"

@@ -1,0 +1,117 @@
+"""Overlaps of a gas that came from elsewhere: the worst one, and how to undo all."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.errors import Problem, ScenarioError
+from gasbox.geometry import Rectangle
+from gasbox.initial.grid import empty_grid
+from gasbox.kernels.overlaps import SEPARATED, enter_all, push_apart, worst_pair
+from gasbox.state import State
+
+__all__ = ["Overlap", "separate", "worst_overlap"]
+
+_TOUCHING: Final = 1e-9
+"""Depth, as a fraction of the smaller radius, up to which discs only touch."""
+_GAP: Final = 1e-7
+_LOOKS_EACH: Final = 20_000
+_LOOKS_MORE: Final = 100_000_000
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """Two discs, or a disc and a wall, that are in one another.
+
+    Attributes
+    ----------
+    first : id of a disc (of a pair: the lower one)
+    second : id of the other disc; None for a wall
+    depth : [length]
+    wall : name of the wall; None for a pair
+    """
+
+    first: int
+    second: int | None
+    depth: float
+    wall: str | None = None
+
+    def __str__(self) -> str:
+        other = f"particle {self.second}" if self.wall is None else f"the {self.wall} wall"
+        return f"particle {self.first} and {other} overlap by {self.depth:.3g}"
+
+
+def worst_overlap(state: State, geometry: Rectangle) -> Overlap | None:
+    """The deepest overlap of two discs or of a disc and a wall; None if nothing more than touches.
+
+    Touching is up to 1e-9 of the smaller radius: as much as exact dynamics may leave by rounding.
+    """
+    if not state.count:
+        return None
+    position = geometry.wrap(state.position)
+    grid = empty_grid(geometry, state.radius)
+    enter_all(grid, position, np.arange(state.count))
+    first, second, depth = worst_pair(grid, position, state.radius, _TOUCHING)
+    pair = Overlap(int(state.id[first]), int(state.id[second]), float(depth)) if first >= 0 else None
+    wall = _worst_at_wall(state, geometry)
+    if pair is None or wall is None:
+        return pair or wall
+    return pair if pair.depth >= wall.depth else wall
+
+
+def _worst_at_wall(state: State, geometry: Rectangle) -> Overlap | None:
+    x, y = state.position.T
+    depth = np.stack([-x, x - geometry.width, -y, y - geometry.height]) + state.radius
+    depth[np.repeat(geometry.periodic, 2)] = -np.inf
+    # A wall is as far away as the side is long: rounding grows with it.
+    depth[depth <= _TOUCHING * state.radius + 4 * np.spacing(geometry.size.max())] = -np.inf
+    wall, row = np.unravel_index(np.argmax(depth), depth.shape)
+    if depth[wall, row] == -np.inf:
+        return None
+    return Overlap(int(state.id[row]), None, float(depth[wall, row]), Rectangle.WALLS[wall])
+
+
+def separate(state: State, geometry: Rectangle) -> float:
+    """Push overlapping discs apart and into the walls, in place, each pair only as far as it needs.
+
+    Lighter discs give way farther, so that the centre of mass of a pair stays where it is.
+
+    Returns
+    -------
+    The largest displacement [length]; 0 if nothing overlapped.
+
+    Raises
+    ------
+    ScenarioError
+        They are too crowded: overlaps are left after a bounded amount of work. The state is left as it was.
+    """
+    if not state.count:
+        return 0.0
+    low, high = _bounds(state.radius, geometry)
+    position = np.clip(geometry.wrap(state.position), low, high)
+    grid = empty_grid(geometry, state.radius)
+    everyone = np.arange(state.count)
+    enter_all(grid, position, everyone)
+    share = state.mass.min() / state.mass
+    budget = _LOOKS_EACH * state.count + _LOOKS_MORE
+    status, _ = push_apart(grid, position, state.radius, share, low, high, _GAP, everyone, budget)
+    if status != SEPARATED:
+        fraction = float(np.pi * np.square(state.radius).sum()) / geometry.area
+        found = f"overlapping discs at an area fraction of {fraction:.4g}"
+        raise ScenarioError([Problem("particles", found, "they could not be pushed apart; use a larger box")])
+    moved = position - state.position
+    moved -= np.where(geometry.periodic, np.round(moved / geometry.size) * geometry.size, 0.0)
+    state.position[:] = position
+    return float(np.sqrt(np.square(moved).sum(axis=1)).max())
+
+
+def _bounds(
+    radius: NDArray[np.float64], geometry: Rectangle
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Lower and upper bounds (n, 2) [length] of the centres."""
+    margin = np.where(geometry.periodic, 0.0, radius[:, None])
+    return margin, geometry.size - margin

@@ -1,0 +1,104 @@
+"""Velocities at the start."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.rng import Stream, generator
+from gasbox.scenario import Scenario, Species
+
+__all__ = ["draw_velocities"]
+
+_ROUNDS: Final = 200
+_CLOSE: Final = 1e-15
+
+
+def draw_velocities(scenario: Scenario, species: NDArray[np.int32]) -> NDArray[np.float64]:
+    """Velocities (n, 2) [length/time] of counted discs, given the species (n,) of each.
+
+    A species with `velocities` gets them as they stand, one with `speed` random directions at exactly this speed, one
+    with a `temperature` T Maxwell's distribution: each component normal with variance T/m. All that have a temperature
+    form the *drawn gas*, whose velocities are then corrected so that two things hold at once, up to rounding:
+
+    1. Along each periodic direction, where momentum is conserved, the drawn gas has none. One and the same velocity is
+       taken off all of its discs, as a change to the frame of its centre of mass does.
+    2. Each species s of more than one disc has the kinetic energy ``K_s = N_s T_s (1 - (p/2) m_s/M)`` in that frame, with
+       M the mass of the drawn gas and p the number of periodic directions. Its velocities are multiplied by one factor.
+
+    Without periodic directions ``K_s = N_s T_s``: each species has exactly its temperature, and a gas with one T
+    exactly ``T = 2 K/(2N)``. Along a periodic direction a disc of mass m moves against the other discs, and in
+    equilibrium carries the share ``(T/2)(1 - m/M)`` of the energy, not T/2. These shares add up to ``(N - 1) T/2``, so
+    that a gas with one T in a periodic box has exactly ``T = 2 K/(2N - 2)``, and no species is hotter than another. (The
+    mean energy of a disc of species s is then ``T (1 - m_s/M)``, which is T up to one part in N.)
+
+    Multiplying disturbs 1, taking off disturbs 2; doing both in turn converges quickly, because each correction is
+    smaller than the one before by a factor of the order of 1/N. A species of a single disc keeps the speed that it was
+    dealt and only takes part in 1; a gas of a single disc is left as drawn, for it has no frame in which it moves.
+
+    Discs that are listed, and species with `speed` or `velocities`, are left exactly as they were asked for, whatever
+    momentum they bring.
+    """
+    velocity = np.zeros((species.shape[0], 2))
+    drawn: dict[int, NDArray[np.int64]] = {}
+    for number, entry in enumerate(scenario.species):
+        members = np.flatnonzero(species == number)
+        if not members.size:
+            continue
+        random = generator(scenario.seed, Stream.VELOCITIES, number)
+        velocity[members] = _of_species(entry, members.size, random)
+        if entry.temperature is not None:
+            drawn[number] = members
+    _correct(scenario, velocity, drawn)
+    return velocity
+
+
+def _of_species(species: Species, count: int, random: np.random.Generator) -> NDArray[np.float64]:
+    if species.velocities is not None:
+        return np.array(species.velocities, np.float64).reshape(-1, 2)
+    if species.speed is not None:
+        angle = random.uniform(0, 2 * math.pi, count)
+        return species.speed * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    assert (
+        species.temperature is not None
+    )  # by the scenario's rules, a counted species has one source of velocities
+    return math.sqrt(species.temperature / species.mass) * random.standard_normal((count, 2))
+
+
+def _correct(scenario: Scenario, velocity: NDArray[np.float64], drawn: dict[int, NDArray[np.int64]]) -> None:
+    """Take off the momentum along periodic directions and set the energies of the species, in place."""
+    if sum(members.size for members in drawn.values()) < 2:
+        return
+    periodic = scenario.container.geometry().periodic
+    masses = {number: scenario.species[number].mass for number in drawn}
+    total = sum(masses[number] * members.size for number, members in drawn.items())
+    groups = [(velocity[members], masses[number]) for number, members in drawn.items()]
+    targets = [_energy(scenario, number, members.size, total) for number, members in drawn.items()]
+    for _ in range(_ROUNDS):
+        drift = sum(mass * group.sum(axis=0) for group, mass in groups) / total * periodic
+        for group, _ in groups:
+            group -= drift
+        factors = [
+            _factor(group, mass, target) for (group, mass), target in zip(groups, targets, strict=True)
+        ]
+        for (group, _), factor in zip(groups, factors, strict=True):
+            group *= factor
+        if not periodic.any() or max(abs(factor - 1) for factor in factors) <= _CLOSE:
+            break
+    for (group, _), members in zip(groups, drawn.values(), strict=True):
+        velocity[members] = group
+
+
+def _energy(scenario: Scenario, number: int, count: int, total: float) -> float:
+    """Kinetic energy [energy] that `count` discs of a species are to have in a drawn gas of mass `total`."""
+    species = scenario.species[number]
+    directions = int(scenario.container.geometry().periodic.sum())
+    return count * float(species.temperature or 0.0) * (1 - directions / 2 * species.mass / total)
+
+
+def _factor(group: NDArray[np.float64], mass: float, target: float) -> float:
+    energy = 0.5 * mass * float(np.square(group).sum())
+    return math.sqrt(target / energy) if group.shape[0] > 1 and energy > 0 else 1.0
