@@ -32,13 +32,13 @@ def measure(
     results: list[Result] = []
     for particles in sizes or (_QUICK_SIZES if quick else SIZES):
         for fraction in AREA_FRACTIONS:
-            task = f"event-driven, area fraction {fraction:g}"
-            tell(f"{task}, {particles} particles")
+            task = f"event-driven, {fraction:g}"
+            tell(f"{task} of the area filled, {particles} particles")
             ours = EventDrivenGas(exact_gas(particles, fraction))
             results += contest(task, "collisions", particles, [ours], rounds, seconds)
         scenario = stepped_gas(particles)
-        task = "stepped, area fraction 0.2"
-        tell(f"{task}, {particles} particles")
+        task = "stepped, 0.2"
+        tell(f"{task} of the area filled, {particles} particles")
         gases = [SteppedGas(scenario), *stepped_peers(scenario)]
         results += contest(task, "particle steps", particles, gases, rounds, seconds)
     return sorted(results, key=lambda result: result.task)

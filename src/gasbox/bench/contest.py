@@ -6,9 +6,11 @@ import statistics
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Final, Protocol
 
-__all__ = ["Contender", "Result", "contest"]
+__all__ = ["OURS", "Contender", "Result", "contest"]
+
+OURS: Final = "gasbox"
 
 
 class Contender(Protocol):

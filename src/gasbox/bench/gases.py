@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from gasbox.bench.contest import OURS
 from gasbox.scenario import Scenario, parse
 from gasbox.simulation import Simulation
 
@@ -42,7 +43,7 @@ def stepped_gas(particles: int, area_fraction: float = 0.2, speed: float = 0.1) 
 class EventDrivenGas:
     """Our exact dynamics; a portion is some ten collisions, the unit is a collision."""
 
-    name = "gasbox"
+    name = OURS
 
     def __init__(self, scenario: Scenario) -> None:
         self._simulation = Simulation(scenario)
@@ -68,7 +69,7 @@ class EventDrivenGas:
 class SteppedGas:
     """Our classroom rule; a portion is a step, the unit is a step of one particle."""
 
-    name = "gasbox"
+    name = OURS
 
     def __init__(self, scenario: Scenario) -> None:
         self._simulation = Simulation(scenario)

@@ -61,7 +61,7 @@ def _add(space: Any, shape: Any) -> None:
 class ArrayGas:
     """NumPy arrays, and the pairs of each step from SciPy's k-d tree, as a student writes it."""
 
-    name = "NumPy + SciPy k-d tree"
+    name = "NumPy + k-d tree"
 
     def __init__(self, scenario: Scenario) -> None:
         from scipy.spatial import cKDTree  # type: ignore[import-untyped]

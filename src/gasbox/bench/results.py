@@ -11,36 +11,43 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
+from rich.box import SIMPLE
 from rich.console import Console
 from rich.table import Table
 
-from gasbox.bench.contest import Result
+from gasbox.bench.contest import OURS, Result
 from gasbox.errors import FileError
 from gasbox.version import __version__
 
 __all__ = ["machine", "print_table", "save"]
 
+_WIDTH = 100
 _PACKAGES = ("numpy", "numba", "scipy", "pymunk")
 
 
 def print_table(results: Sequence[Result]) -> None:
-    """One table: million units a second (median and range), and how much slower than ours."""
-    table = Table("task", "particles", "program", "million a second", "range", "unit", "ours is faster by")
-    for result in results:
+    """One table: million units a second (median and range), and how many times faster ours is."""
+    table = Table("gas", "particles", "program", "million/s", "range", "ours is", box=SIMPLE)
+    for column in table.columns:
+        column.no_wrap = True
+    for before, result in zip([None, *results], results, strict=False):
+        if before is not None and result.task != before.task:
+            table.add_section()
         low, high = min(result.rates), max(result.rates)
         table.add_row(
             result.task,
             f"{result.particles:,}",
             result.program,
             f"{result.median / 1e6:.3g}",
-            f"{low / 1e6:.3g} to {high / 1e6:.3g}",
-            result.unit,
-            "" if result.program == "gasbox" else f"{result.ratio:.2f}",
+            f"{low / 1e6:.2g}-{high / 1e6:.2g}",
+            "" if result.program == OURS else f"{result.ratio:.2f} x",
         )
-    Console(highlight=False).print(table)
-    print(
-        f"{machine()['processor']}, {os.cpu_count()} cores; median of {len(results[0].rates)} rounds in turns"
-    )
+    # Wide enough that nothing is cut off where the output is no terminal.
+    Console(highlight=False, width=max(Console().width, _WIDTH)).print(table)
+    units = dict.fromkeys((result.task.partition(",")[0], result.unit) for result in results)
+    counted = "; ".join(f"{task}: {unit}" for task, unit in units)
+    rounds = f"median of {len(results[0].rates)} rounds in turns"
+    print(f"{counted}. {rounds}, {machine()['processor']}, {os.cpu_count()} cores.")
 
 
 def save(results: Sequence[Result], path: Path) -> Path:
