@@ -34,7 +34,7 @@ format: ready-to-develop ## let ruff put the code in shape
 	@$(BIN)/ruff check --fix-only .
 	@$(BIN)/ruff format .
 
-bench: ready-to-develop ## rates on this machine, against the peers that are installed
+bench: ready-to-develop ## rates on this machine, against the peers, kept in benchmarks/results (ARGS=--quick)
 	@$(BIN)/gasbox bench -o benchmarks/results $(ARGS)
 
 validate: ready-to-develop ## long comparisons with published numbers
