@@ -80,3 +80,9 @@ def test_every_floor_is_in_the_contract(repository: Path) -> None:
     files = {path.stem for path in package.glob("*.py")}
     folders = {path.parent.name for path in package.glob("*/__init__.py")}
     assert (files | folders) - {"__init__", "__main__"} == named
+
+
+def test_no_two_test_modules_share_a_name(repository: Path) -> None:
+    # pytest imports them all by their bare names, so the second one would be shadowed by the first.
+    names = [path.name for path in (repository / "tests").rglob("*.py") if path.name != "conftest.py"]
+    assert {name for name in names if names.count(name) > 1} == set()

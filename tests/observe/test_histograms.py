@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from gases import gas
+from hand_made import gas
 from hypothesis import given
 from hypothesis import strategies as st
 

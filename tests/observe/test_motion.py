@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from gases import gas
+from hand_made import gas
 from hypothesis import given
 from hypothesis import strategies as st
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from gases import gas
+from hand_made import gas
 
 from gasbox import observe
 from gasbox.geometry import Rectangle
