@@ -9,15 +9,33 @@ import threading
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 import uvicorn
 from fastapi import FastAPI, Request, WebSocket
+from fastapi.responses import HTMLResponse
+from fastapi.staticfiles import StaticFiles
 from free_flight import FreeFlight
 
+import gasbox.app
 from gasbox.app.registry import Registry
 from gasbox.app.security import Guard
 from gasbox.app.session import Session
 from gasbox.app.stream import PATH, serve_frames
+
+CORE = Path(gasbox.app.__file__).parent / "frontend" / "core"
+PAGE = """<!doctype html><meta charset="utf-8"><title>box</title><link rel="icon" href="data:,">
+<style>html, body { margin: 0 } #box { width: 620px; height: 420px }</style><div id="box"></div>
+<script type="module">
+  import { createLab } from "/core/index.js";
+  window.picked = [];
+  window.notices = [];
+  window.lab = createLab(document.getElementById("box"), {
+    session: "SESSION",
+    onPick: (row) => window.picked.push(row),
+    onNotice: (notice) => window.notices.push(notice.kind),
+  });
+</script>"""
 
 
 @dataclass
@@ -27,6 +45,9 @@ class FrameServer:
 
     def url(self, session: Session, query: str = "") -> str:
         return f"ws://127.0.0.1:{self.port}/gasbox/frames/{session.id}{query}"
+
+    def page(self, session: Session, query: str = "") -> str:
+        return f"http://127.0.0.1:{self.port}/lab/{session.id}{query}"
 
 
 def application(registry: Registry) -> FastAPI:
@@ -44,6 +65,11 @@ def application(registry: Registry) -> FastAPI:
     async def page() -> str:
         return "the page"
 
+    @app.get("/lab/{session_id}")
+    async def lab(session_id: str) -> HTMLResponse:
+        return HTMLResponse(PAGE.replace("SESSION", session_id))
+
+    app.mount("/core", StaticFiles(directory=CORE))
     return app
 
 

@@ -32,7 +32,10 @@ class FreeFlight:
         self.calls: list[float] = []
         self._clock, self._cost = clock, cost
         counts = [one.count for one in scenario.species]
-        species = np.repeat(np.arange(len(counts), dtype=np.int32), counts)
+        names = [one.name for one in scenario.species]
+        drawn = np.repeat(np.arange(len(counts), dtype=np.int32), counts)
+        listed, places, speeds = _listed(scenario, names)
+        species = np.concatenate([listed, drawn])
         random = np.random.default_rng(scenario.seed)
         self.state = State(
             time=0.0,
@@ -40,8 +43,8 @@ class FreeFlight:
             species=species,
             mass=np.array([one.mass for one in scenario.species])[species],
             radius=np.array([one.radius for one in scenario.species])[species],
-            position=random.random((len(species), 2)) * self.geometry.size,
-            velocity=random.normal(size=(len(species), 2)) * 0.1,
+            position=np.concatenate([places, random.random((len(drawn), 2)) * self.geometry.size]),
+            velocity=np.concatenate([speeds, random.normal(size=(len(drawn), 2)) * 0.1]),
         )
         self.dynamics = SimpleNamespace(tallies=Tallies.zero(len(counts), 4))
 
@@ -59,6 +62,12 @@ class FreeFlight:
 
     def snapshot(self) -> Scenario:
         return self.scenario
+
+
+def _listed(scenario: Scenario, names: list[str]) -> tuple[Any, Any, Any]:
+    if scenario.particles is None:
+        return np.zeros(0, np.int32), np.zeros((0, 2)), np.zeros((0, 2))
+    return scenario.particles.arrays(names)
 
 
 def gas(counts: tuple[int, ...] = (30, 20), **settings: Any) -> Scenario:

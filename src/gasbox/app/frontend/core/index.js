@@ -22,9 +22,16 @@ export function createLab(element, options) {
   return new Lab(element, options);
 }
 
+// Device pixels: the browser's own count if it has one. It is not believed where it is far off, because an emulated
+// screen of high density counts pixels of the real one.
+function snapped(estimate, exact) {
+  return exact !== undefined && Math.abs(exact - estimate) <= 2 ? exact : Math.round(estimate);
+}
+
 class Lab {
   constructor(element, { session, renderer, onPick, onNotice }) {
     installStyle();
+    element.classList.add("gasbox-lab");
     this.element = element;
     this.onPick = onPick;
     this.onNotice = onNotice;
@@ -74,10 +81,10 @@ class Lab {
   }
 
   resized(entry) {
-    const exact = entry.devicePixelContentBoxSize?.[0];
     const ratio = window.devicePixelRatio || 1;
-    const width = exact ? exact.inlineSize : Math.round(entry.contentRect.width * ratio);
-    const height = exact ? exact.blockSize : Math.round(entry.contentRect.height * ratio);
+    const exact = entry.devicePixelContentBoxSize?.[0];
+    const width = snapped(entry.contentRect.width * ratio, exact?.inlineSize);
+    const height = snapped(entry.contentRect.height * ratio, exact?.blockSize);
     if (width < 1 || height < 1) return;
     this.renderer.resize(width, height);
     this.view.resize(width, height, ratio);

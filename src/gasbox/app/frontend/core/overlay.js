@@ -52,15 +52,25 @@ function trail(context, { trail, view, theme, table }) {
   context.globalAlpha = 1;
 }
 
-function ring(context, { frame, view, theme, table }) {
+// A ring around the followed disc, and the disc itself once more, over its trail.
+function ring(context, { frame, view, theme, table, palette }) {
   if (!frame?.followed) return;
-  const { row, x, y } = frame.followed;
-  const radius = (table.radii[frame.species[row]] ?? 0) * view.scale;
+  const kind = frame.species[frame.followed.row];
+  const x = view.originX + frame.followed.x * view.scale;
+  const y = view.originY - frame.followed.y * view.scale;
+  const radius = (table.radii[kind] ?? 0) * view.scale;
+  context.fillStyle = `rgb(${palette.strong[kind] ?? [128, 128, 128]})`;
+  circle(context, x, y, radius);
+  context.fill();
   context.strokeStyle = theme.ring;
   context.lineWidth = 2 * view.ratio;
-  context.beginPath();
-  context.arc(view.originX + x * view.scale, view.originY - y * view.scale, radius + 3 * view.ratio, 0, 2 * Math.PI);
+  circle(context, x, y, radius + 3 * view.ratio);
   context.stroke();
+}
+
+function circle(context, x, y, radius) {
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
 }
 
 // Where the followed disc has been, lately.

@@ -39,7 +39,9 @@ flat in float radius;
 in vec2 place;
 out vec4 result;
 void main() {
-  float alpha = clamp(radius - length(place) + 0.5, 0.0, 1.0) * min(1.0, radius * 2.0);
+  // The ramp of one pixel adds pi/12 to the area; discs below its width become fainter instead of smaller.
+  float ramp = sqrt(max(radius * radius - 1.0 / 12.0, 0.25));
+  float alpha = clamp(ramp - length(place) + 0.5, 0.0, 1.0) * min(1.0, 3.0 * radius * radius);
   if (alpha <= 0.0) discard;
   result = vec4(color.rgb * alpha, alpha);
 }`;

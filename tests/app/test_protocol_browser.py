@@ -1,0 +1,114 @@
+"""What Python encodes, JavaScript decodes."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from frame_server import FrameServer, running
+from playwright.sync_api import Browser, Page
+
+from gasbox.app.protocol import WireFrame, encode_frame, table
+from gasbox.app.sample import Followed
+from gasbox.geometry import Rectangle
+
+pytestmark = pytest.mark.browser
+
+DECODE = """async (text) => {
+  const { decodeFrame } = await import("/core/protocol.js");
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const frame = decodeFrame(bytes.buffer);
+  for (const key of ["position", "species", "highlight"]) frame[key] &&= Array.from(frame[key]);
+  return frame;
+}"""
+
+
+@pytest.fixture(scope="module")
+def server() -> Iterator[FrameServer]:
+    with running() as one:
+        yield one
+
+
+@pytest.fixture(scope="module")
+def page(browser: Browser, server: FrameServer) -> Page:
+    one = browser.new_page()
+    one.goto(f"http://127.0.0.1:{server.port}/")
+    return one
+
+
+def decoded(page: Page, message: bytes) -> dict[str, object]:
+    return page.evaluate(DECODE, base64.b64encode(message).decode())
+
+
+@pytest.mark.parametrize("count", [0, 1, 7, 8, 9, 1000])
+def test_frames_of_any_length(page: Page, count: int) -> None:
+    random = np.random.default_rng(count)
+    frame = WireFrame(
+        generation=4_000_000_000,
+        number=17,
+        time=1234.5678,
+        width=60.5,
+        height=40.25,
+        playing=True,
+        position=random.random((count, 2), np.float32) * 100,
+        species=random.integers(0, 256, count, np.uint8),
+        highlight=random.random(count) < 0.5,
+        followed=Followed(3_000_000_000, 0, (1.5, 2.5), (-0.5, 0.25)),
+        row=0,
+    )
+    seen = decoded(page, encode_frame(frame))
+    assert seen == {
+        "generation": 4_000_000_000,
+        "number": 17,
+        "count": count,
+        "time": 1234.5678,
+        "width": 60.5,
+        "height": 40.25,
+        "playing": True,
+        "position": frame.position.ravel().tolist(),
+        "species": frame.species.tolist(),
+        "highlight": np.packbits(frame.highlight, bitorder="little").tolist(),  # type: ignore[arg-type]
+        "followed": {"row": 0, "id": 3_000_000_000, "x": 1.5, "y": 2.5, "vx": -0.5, "vy": 0.25},
+    }
+
+
+def test_nothing_optional(page: Page) -> None:
+    bare = WireFrame(1, 2, 3.0, 4.0, 5.0, False, np.zeros((1, 2), np.float32), np.zeros(1, np.uint8))
+    seen = decoded(page, encode_frame(bare))
+    assert (seen["playing"], seen["highlight"], seen["followed"]) == (False, None, None)
+
+
+@pytest.mark.parametrize("message", [b"", b"\x02" + bytes(55), bytes(100)])
+def test_what_is_no_frame_is_refused(page: Page, message: bytes) -> None:
+    with pytest.raises(Exception, match="not a frame"):
+        decoded(page, message)
+
+
+def test_a_frame_cut_short_is_refused(page: Page) -> None:
+    bare = WireFrame(1, 2, 3.0, 4.0, 5.0, False, np.zeros((1, 2), np.float32), np.zeros(1, np.uint8))
+    with pytest.raises(Exception, match="bytes"):
+        decoded(page, encode_frame(bare)[:-1])
+
+
+def test_the_table(page: Page) -> None:
+    text = table(7, Rectangle(60.0, 40.0, True, False), ["a", "b"], [1.0, 2.5], ["#ff0000", "#00ff00"])
+    seen = page.evaluate(
+        """async (text) => {
+          const { decodeTable } = await import("/core/protocol.js");
+          const table = decodeTable(JSON.parse(text));
+          return { ...table, radii: Array.from(table.radii) };
+        }""",
+        text,
+    )
+    assert seen == {
+        "generation": 7,
+        "width": 60,
+        "height": 40,
+        "periodicX": True,
+        "periodicY": False,
+        "names": ["a", "b"],
+        "colors": ["#ff0000", "#00ff00"],
+        "radii": [1, 2.5],
+    }
