@@ -86,6 +86,24 @@ def test_observers_count_what_the_tallies_count():
         assert total == pytest.approx(tallies.wall_impulse[wall].sum(), rel=1e-10)
 
 
+def test_time_series_of_a_run():
+    simulation = gas(
+        [{"count": 60, "mass": 1.0}, {"count": 40, "mass": 4.0, "radius": 0.8}], 0.2, periodic=False
+    )
+    observer = observe.TimeSeries(simulation.geometry, np.array([0.5, 0.8]))
+    simulation.attach(observer)
+    simulation.advance(frames=50)
+    series = observer.series()
+    np.testing.assert_allclose(series.time, np.arange(51) * simulation.frame_interval, rtol=1e-12)
+    np.testing.assert_allclose(series.energy, simulation.energy(), rtol=1e-12)
+    np.testing.assert_allclose(series.species_temperature @ [0.6, 0.4], series.temperature, rtol=1e-12)
+    # Frames are equally long, so that the mean over them is the pressure of the whole run.
+    assert np.mean(series.wall_pressure[1:]) == pytest.approx(simulation.pressure(), rel=1e-12)
+    assert observer.series(window=50).wall_pressure[-1] == pytest.approx(simulation.pressure(), rel=1e-12)
+    virial = simulation.summary()["pressure_virial"]
+    assert np.mean(series.virial_pressure[1:]) == pytest.approx(virial, rel=1e-12)
+
+
 def test_hits_on_the_walls_of_a_dilute_gas():
     simulation = one_gas(400, 0.004, periodic=False, seed=8)
     settle(simulation, 5)
