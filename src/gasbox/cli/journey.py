@@ -85,7 +85,7 @@ def _travel(simulation: Simulation, journey: Journey) -> _Arrival:
         # The first in is the last out: no signal disturbs the closing of the file.
         stopping = stack.enter_context(Stopping())
         if journey.record is not None:
-            recorder = stack.enter_context(Recorder(journey.record, simulation.scenario))
+            recorder = stack.enter_context(Recorder(journey.record, simulation.scenario_in_use))
         progress = stack.enter_context(Progress(simulation.time, end))
         for frame in moments:
             if recorder is not None and frame is not None:

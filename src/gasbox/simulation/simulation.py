@@ -11,7 +11,7 @@ from gasbox import observe
 from gasbox.build import build
 from gasbox.errors import UsageError
 from gasbox.protocols import Observer, Status
-from gasbox.scenario import Scenario, load
+from gasbox.scenario import Scenario, Stepped, load
 from gasbox.simulation import snapshot, summary
 from gasbox.state import Contacts, Frame
 
@@ -144,9 +144,17 @@ class Simulation:
         """What `gasbox run --json` prints."""
         return summary.summary(self)
 
+    @property
+    def scenario_in_use(self) -> Scenario:
+        """The scenario with the frame interval that was chosen for it, so that who goes on keeps it."""
+        if isinstance(self.scenario.dynamics, Stepped):
+            # There it is the time step, which may be changed later.
+            return self.scenario
+        return self.scenario.model_copy(update={"frame_interval": self.frame_interval})
+
     def snapshot(self) -> Scenario:
         """The scenario with the whole gas in it, to go on from with the same bits."""
-        return snapshot.snapshot(self.scenario, self.frame_view())
+        return snapshot.snapshot(self.scenario_in_use, self.frame_view())
 
     def save(self, path: str | Path) -> None:
         """Write a snapshot as JSON (compressed if the name ends in .gz).
