@@ -32,13 +32,17 @@ __all__ = ["DEFAULT_PORT", "serve"]
 DEFAULT_PORT: Final = 8765
 
 
+def _say(line: str) -> None:
+    print(line, flush=True)
+
+
 def serve(
     scenario: Scenario,
     host: str = "127.0.0.1",
     port: int | None = None,
     show: bool = True,
     max_sessions: int = 16,
-    tell: Callable[[str], None] = print,
+    tell: Callable[[str], None] = _say,
 ) -> None:
     """Serve the live page until Ctrl-C.
 
@@ -61,10 +65,9 @@ def serve(
     address = _address(host, listener.getsockname()[1])
 
     def on_ready() -> None:
-        tell(f"gasbox is at {address} (Ctrl-C ends it)")
+        for line in _greeting(host, address):
+            tell(line)
         preparation.start()
-        if not is_loopback(host):
-            tell(f"Warning: listening on {host}: everyone who can reach this machine can use it.")
         if show:
             threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
 
@@ -84,6 +87,13 @@ def serve(
         registry.close()
         listener.close()
     tell("gasbox has ended.")
+
+
+def _greeting(host: str, address: str) -> list[str]:
+    lines = [f"gasbox is at {address} (Ctrl-C ends it)"]
+    if not is_loopback(host):
+        lines.append(f"Warning: listening on {host}: everyone who can reach this machine can use it.")
+    return lines
 
 
 class _Server(uvicorn.Server):
