@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import subprocess
 import sys
@@ -86,3 +87,15 @@ def test_no_two_test_modules_share_a_name(repository: Path) -> None:
     # pytest imports them all by their bare names, so the second one would be shadowed by the first.
     names = [path.name for path in (repository / "tests").rglob("*.py") if path.name != "conftest.py"]
     assert {name for name in names if names.count(name) > 1} == set()
+
+
+def test_single_letters_in_kernels_are_explained(repository: Path) -> None:
+    table = (repository / "docs" / "model.md").read_text("utf-8").partition("### Symbols")[2]
+    explained = set(re.findall(r"`(\w)`", table.partition("\n## ")[0]))
+    used = {
+        str(name.id if isinstance(name, ast.Name) else name.arg)
+        for path in (repository / "src" / "gasbox" / "kernels").rglob("*.py")
+        for name in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(name, ast.Name | ast.arg)
+    }
+    assert {name for name in used if len(name) == 1} - {"_"} <= explained
