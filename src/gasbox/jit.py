@@ -17,10 +17,11 @@ from typing import Any, TypeVar, cast
 import numba
 import numba.core.config
 
-__all__ = ["cache_folder", "kernel", "mark_compiled", "was_compiled"]
+__all__ = ["bare_kernel", "cache_folder", "kernel", "mark_compiled", "was_compiled"]
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _config: Any = numba.core.config
+_njit: Any = numba.njit  # its annotations leave out options that it takes
 _KERNEL_FOLDER = Path(__file__).parent / "kernels"
 
 
@@ -44,12 +45,25 @@ def cache_folder() -> Path:
 
 def kernel(function: _Function) -> _Function:
     """Compile `function` without fast-math (bits matter), cached, and with the GIL released."""
+    return _compiled(function)
+
+
+def bare_kernel(function: _Function) -> _Function:
+    """As `kernel`, for the inner loops of the engines: arrays are not reference-counted.
+
+    The atomic counts cost more than half the time of an engine whose small functions hand arrays on. Such a kernel
+    calls only others of its kind and must not allocate (no new arrays, no sort).
+    """
+    return _compiled(function, _nrt=False)
+
+
+def _compiled(function: _Function, **options: bool) -> _Function:
     if _config.DISABLE_JIT:
         return function
     previous = _config.CACHE_DIR
     _config.CACHE_DIR = str(cache_folder())
     try:
-        compiled = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+        compiled = _njit(cache=True, nogil=True, error_model="numpy", **options)(function)
     finally:
         _config.CACHE_DIR = previous
     return cast(_Function, compiled)

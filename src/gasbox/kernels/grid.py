@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import kernel
+from gasbox.jit import bare_kernel
 from gasbox.kernels.arguments import Box
 
 __all__ = ["Grid", "cell_of", "classes", "file", "grid", "span"]
@@ -81,13 +81,13 @@ def grid(radius: NDArray[np.float64], width: float, height: float, ratio: float 
     )
 
 
-@kernel
+@bare_kernel
 def cell_of(coordinate: float, length: float, cells: int) -> int:
     """Column (or row) of a coordinate; what lies outside belongs to the outermost cell."""
     return min(max(int(coordinate / length * cells), 0), cells - 1)
 
 
-@kernel
+@bare_kernel
 def span(cell: int, cells: int, periodic: bool) -> tuple[int, int]:
     """First and last offset of the neighbours of a cell in one direction, each cell once however few there are."""
     if periodic:
@@ -97,7 +97,7 @@ def span(cell: int, cells: int, periodic: bool) -> tuple[int, int]:
     return max(-1, -cell), min(1, cells - 1 - cell)
 
 
-@kernel
+@bare_kernel
 def file(
     position: NDArray[np.float64],
     box: Box,

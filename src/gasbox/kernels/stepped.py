@@ -7,10 +7,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import kernel
+from gasbox.jit import bare_kernel
 from gasbox.kernels.arguments import DONE, FULL, Box, Gas, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange, nearest
 from gasbox.kernels.grid import Grid, cell_of, file, span
+from gasbox.kernels.sorting import sort
 
 __all__ = ["GROW", "Workspace", "advance", "workspace"]
 
@@ -43,7 +44,7 @@ def workspace(n: int, capacity: int, progress: NDArray[np.int64] | None = None) 
     return Workspace(progress, np.zeros(capacity, np.int64), np.zeros(n), np.zeros(n), np.zeros(n))
 
 
-@kernel
+@bare_kernel
 def _drift(position: NDArray[np.float64], velocity: NDArray[np.float64], box: Box, time_step: float) -> None:
     for i in range(position.shape[0]):
         x = position[i, 0] + velocity[i, 0] * time_step
@@ -56,7 +57,7 @@ def _drift(position: NDArray[np.float64], velocity: NDArray[np.float64], box: Bo
         position[i, 1] = y
 
 
-@kernel
+@bare_kernel
 def _scan(
     s: int,
     begin: int,
@@ -83,7 +84,7 @@ def _scan(
     return found
 
 
-@kernel
+@bare_kernel
 def _scan_level(
     target: int,
     own: int,
@@ -102,7 +103,8 @@ def _scan_level(
 ) -> int:
     """Note the touching pairs of slots [begin_slot, end_slot) with the discs of one level.
 
-    `target` is the number of the level's first cell; if `own`, the slots are of this level and look at later slots only.
+    `target` is the number of the level's first cell; if `own`, the slots are of this level and look
+    at later slots only.
     """
     for s in range(begin_slot, end_slot):
         column = cell_of(x[s], box.width, columns)
@@ -124,7 +126,7 @@ def _scan_level(
     return found
 
 
-@kernel
+@bare_kernel
 def _find(gas: Gas, box: Box, grid: Grid, room: Workspace) -> int:
     """List all touching pairs in ascending order of (lower id, higher id); return how many there are."""
     position, radius = gas.position, gas.radius
@@ -159,16 +161,16 @@ def _find(gas: Gas, box: Box, grid: Grid, room: Workspace) -> int:
                 found,
             )
     if found <= key.shape[0]:
-        key[:found].sort()
+        sort(key, found)
     return found
 
 
-@kernel
+@bare_kernel
 def _full(book: Ledger) -> bool:
     return book.kind.shape[0] > 0 and book.rows[0] >= book.kind.shape[0]
 
 
-@kernel
+@bare_kernel
 def _collide(i: int, j: int, gas: Gas, box: Box, time: float, book: Ledger) -> None:
     dx = nearest(gas.position[i, 0] - gas.position[j, 0], box.width, box.periodic_x)
     dy = nearest(gas.position[i, 1] - gas.position[j, 1], box.height, box.periodic_y)
@@ -184,7 +186,7 @@ def _collide(i: int, j: int, gas: Gas, box: Box, time: float, book: Ledger) -> N
     book_pair(book, gas, i, j, time, -impulse * dx, -impulse * dy, virial)
 
 
-@kernel
+@bare_kernel
 def _hits(
     i: int,
     wall: int,
@@ -203,7 +205,7 @@ def _hits(
     return not box.periodic_y and position[i, 1] + radius[i] >= box.height and velocity[i, 1] > 0.0
 
 
-@kernel
+@bare_kernel
 def _bounce(i: int, wall: int, gas: Gas, time: float, book: Ledger) -> None:
     axis = wall // 2
     given = -2.0 * gas.mass[i] * gas.velocity[i, axis]
@@ -211,7 +213,7 @@ def _bounce(i: int, wall: int, gas: Gas, time: float, book: Ledger) -> None:
     book_wall(book, gas, i, wall, time, given if axis == 0 else 0.0, given if axis == 1 else 0.0)
 
 
-@kernel
+@bare_kernel
 def _walls(gas: Gas, box: Box, room: Workspace, book: Ledger, time: float) -> bool:
     """Turn round all discs at a wall, from place `progress[1]` on; return whether the end was reached."""
     position, velocity, radius = gas.position, gas.velocity, gas.radius
@@ -224,7 +226,7 @@ def _walls(gas: Gas, box: Box, room: Workspace, book: Ledger, time: float) -> bo
     return True
 
 
-@kernel
+@bare_kernel
 def advance(
     gas: Gas,
     box: Box,

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import kernel
+from gasbox.jit import bare_kernel
 from gasbox.kernels.arguments import Box, Gas
 from gasbox.kernels.event_driven.cells import enter, schedule_crossing
 from gasbox.kernels.event_driven.queue import remove
@@ -38,7 +38,7 @@ from gasbox.kernels.grid import cell_of
 __all__ = ["project", "rebuild", "shift"]
 
 
-@kernel
+@bare_kernel
 def _fold(coordinate: float, length: float, periodic: bool) -> float:
     """The coordinate inside the box, if periodic."""
     if periodic:
@@ -46,7 +46,7 @@ def _fold(coordinate: float, length: float, periodic: bool) -> float:
     return coordinate
 
 
-@kernel
+@bare_kernel
 def project(flight: NDArray[np.float64], box: Box, now: float, gas: Gas) -> None:
     """Write positions and velocities at time `now` (since the start of the epoch) into the public arrays."""
     position, velocity = gas.position, gas.velocity
@@ -58,7 +58,7 @@ def project(flight: NDArray[np.float64], box: Box, now: float, gas: Gas) -> None
         velocity[i, 1] = flight[i, VY]
 
 
-@kernel
+@bare_kernel
 def shift(flight: NDArray[np.float64], box: Box, end: float) -> None:
     """Move all references to the end of the epoch, which is time zero of the next one."""
     for i in range(flight.shape[0]):
@@ -68,7 +68,7 @@ def shift(flight: NDArray[np.float64], box: Box, end: float) -> None:
         flight[i, T0] = 0.0
 
 
-@kernel
+@bare_kernel
 def rebuild(tables: Tables, box: Box, now: float, horizon: float, rate: float) -> None:
     """File all particles and find all events anew, from the references alone.
 

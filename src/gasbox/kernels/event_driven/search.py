@@ -14,7 +14,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import kernel
+from gasbox.jit import bare_kernel
 from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.flight import meeting_time, wall_meeting
 from gasbox.kernels.event_driven.queue import insert, remove, rise
@@ -49,7 +49,7 @@ from gasbox.kernels.grid import span
 __all__ = ["predict", "predict_entered", "release"]
 
 
-@kernel
+@bare_kernel
 def _precedes(
     flight: NDArray[np.float64], link: NDArray[np.int32], time: float, i: int, j: int, k: int
 ) -> bool:
@@ -64,82 +64,107 @@ def _precedes(
     return partner != STALE
 
 
-@kernel
-def _pair_time(
-    flight: NDArray[np.float64], i: int, j: int, now: float, box: Box, images_x: int, images_y: int
+@bare_kernel
+def _over_images(
+    dx: float,
+    dy: float,
+    dvx: float,
+    dvy: float,
+    sigma: float,
+    start: float,
+    box: Box,
+    images_x: int,
+    images_y: int,
 ) -> float:
-    """Earliest meeting of discs i and j, over the images that can be near."""
-    t_i, t_j = flight[i, T0], flight[j, T0]
-    start = max(t_i, t_j)
-    dvx, dvy = flight[i, VX] - flight[j, VX], flight[i, VY] - flight[j, VY]
-    sigma = flight[i, RADIUS] + flight[j, RADIUS]
-    dx = (flight[i, X] + flight[i, VX] * (start - t_i)) - (flight[j, X] + flight[j, VX] * (start - t_j))
-    dy = (flight[i, Y] + flight[i, VY] * (start - t_i)) - (flight[j, Y] + flight[j, VY] * (start - t_j))
-    if not (box.periodic_x or box.periodic_y):
-        return meeting_time(dx, dy, dvx, dvy, sigma, start)
-    shift_x, shift_y = 0.0, 0.0
-    if box.periodic_x:
-        shift_x = -np.rint((dx + dvx * (now - start)) / box.width)
-    if box.periodic_y:
-        shift_y = -np.rint((dy + dvy * (now - start)) / box.height)
+    """Earliest meeting over the images around the nearest one, in a box of few cells."""
     best = math.inf
     for image_y in range(-images_y, images_y + 1):
         for image_x in range(-images_x, images_x + 1):
-            time = meeting_time(
-                dx + (shift_x + image_x) * box.width,
-                dy + (shift_y + image_y) * box.height,
-                dvx,
-                dvy,
-                sigma,
-                start,
-            )
-            best = min(best, time)
+            x, y = dx + image_x * box.width, dy + image_y * box.height
+            best = min(best, meeting_time(x, y, dvx, dvy, sigma, start))
     return best
 
 
-@kernel
+@bare_kernel
+def _preferred(time: float, i: int, j: int, best: float, who: int) -> bool:
+    """Whether the meeting of i and j comes before what was found for i so far."""
+    if time != best:
+        return time < best
+    if who >= 0:
+        low, low_who = min(i, j), min(i, who)
+        return low < low_who or (low == low_who and max(i, j) < max(i, who))
+    return who <= WALL
+
+
+@bare_kernel
 def _look(
     flight: NDArray[np.float64],
     link: NDArray[np.int32],
     head: NDArray[np.int32],
-    levels: NDArray[np.int64],
     counter: NDArray[np.int64],
     box: Box,
     i: int,
     now: float,
-    level: int,
-    images_level: int,
-    left: int,
-    right: int,
-    below: int,
-    above: int,
+    grid: tuple[int, int, int, int, int],
+    block: tuple[int, int, int, int],
     best: float,
     who: int,
 ) -> tuple[float, int]:
-    """The earliest meeting of i with the discs of one level in a block of cells, if it precedes (best, who)."""
-    columns, rows, first = levels[level, COLUMNS], levels[level, ROWS], levels[level, FIRST]
-    images_x, images_y = levels[images_level, IMAGES_X], levels[images_level, IMAGES_Y]
+    """The earliest meeting of i with the discs in a block of cells, if it precedes (best, who).
+
+    grid : columns, rows, first cell of the level looked at; how many images aside to try in x, y
+    block : first and last column, first and last row; may reach beyond the box by one cell where it is periodic
+    """
+    columns, rows, first, images_x, images_y = grid
+    left, right, below, above = block
+    x, y, vx, vy = flight[i, X], flight[i, Y], flight[i, VX], flight[i, VY]
+    t_i, radius = flight[i, T0], flight[i, RADIUS]
+    across = 1.0 / box.width if box.periodic_x else 0.0
+    along = 1.0 / box.height if box.periodic_y else 0.0
+    tests = 0
     for row in range(below, above + 1):
-        base = first + (row + rows) % rows * columns
+        base = first + (row + rows if row < 0 else row - rows if row >= rows else row) * columns
         for column in range(left, right + 1):
-            j = head[base + (column + columns) % columns]
+            inside = column + columns if column < 0 else column - columns if column >= columns else column
+            j = head[base + inside]
             while j >= 0:
-                if j != i:
-                    counter[TESTS] += 1
-                    time = _pair_time(flight, i, j, now, box, images_x, images_y)
-                    if time <= best and time <= flight[j, T_EVENT] and time < math.inf:
-                        better = (
-                            time < best
-                            or (who >= 0 and (min(i, j), max(i, j)) < (min(i, who), max(i, who)))
-                            or (who <= WALL)
-                        )
-                        if better and _precedes(flight, link, time, i, j, j):
-                            best, who = time, j
-                j = link[j, NEXT]
+                after = link[j, NEXT]
+                tests += 1
+                t_j = flight[j, T0]
+                start = max(t_i, t_j)
+                dvx, dvy = vx - flight[j, VX], vy - flight[j, VY]
+                dx = (x + vx * (start - t_i)) - (flight[j, X] + flight[j, VX] * (start - t_j))
+                dy = (y + vy * (start - t_i)) - (flight[j, Y] + flight[j, VY] * (start - t_j))
+                dx -= np.rint((dx + dvx * (now - start)) * across) * box.width
+                dy -= np.rint((dy + dvy * (now - start)) * along) * box.height
+                sigma = radius + flight[j, RADIUS]
+                held = flight[j, T_EVENT]
+                if images_x + images_y == 0:
+                    b = dx * dvx + dy * dvy
+                    c = dx * dx + dy * dy - sigma * sigma
+                    # Even head-on they could not meet before c/(-2 b): too late?
+                    if b >= 0.0 or c > (min(best, held) - start) * -2.0000000001 * b:
+                        j = after
+                        continue
+                    time = meeting_time(dx, dy, dvx, dvy, sigma, start)
+                elif j == i:
+                    time = math.inf
+                else:
+                    time = _over_images(dx, dy, dvx, dvy, sigma, start, box, images_x, images_y)
+                if (
+                    time <= best
+                    and time <= held
+                    and time < math.inf
+                    and _preferred(time, i, j, best, who)
+                    and _precedes(flight, link, time, i, j, j)
+                ):
+                    best, who = time, j
+                j = after
+    counter[TESTS] += tests
     return best, who
 
 
-@kernel
+@bare_kernel
 def _entered(
     step: int, old: int, cell: int, cells: int, periodic: bool, low: int, high: int
 ) -> tuple[int, int]:
@@ -151,7 +176,7 @@ def _entered(
     return 1, 0
 
 
-@kernel
+@bare_kernel
 def _survey(
     tables: Tables,
     box: Box,
@@ -185,11 +210,16 @@ def _survey(
         old_y = (row - step_y + levels[own, ROWS]) % levels[own, ROWS] // fy
         left, right = _entered(step_x, old_x, cx, columns, box.periodic_x, left, right)
         below, above = _entered(step_y, old_y, cy, rows, box.periodic_y, below, above)
+        grid = (
+            levels[level, COLUMNS],
+            levels[level, ROWS],
+            levels[level, FIRST],
+            levels[coarse, IMAGES_X],
+            levels[coarse, IMAGES_Y],
+        )
         if level >= own:
-            best, who = _look(
-                flight, link, head, levels, counter, box, i, now, level, level,
-                cx + left, cx + right, cy + below, cy + above, best, who,
-            )  # fmt: skip
+            block = (cx + left, cx + right, cy + below, cy + above)
+            best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
         else:
             gx = levels[own, FACTOR_X] // levels[level, FACTOR_X]
             gy = levels[own, FACTOR_Y] // levels[level, FACTOR_Y]
@@ -197,21 +227,19 @@ def _survey(
                 for block_x in range(cx + left, cx + right + 1):
                     at_x = (block_x + columns) % columns * gx
                     at_y = (block_y + rows) % rows * gy
-                    best, who = _look(
-                        flight, link, head, levels, counter, box, i, now, level, own,
-                        at_x, at_x + gx - 1, at_y, at_y + gy - 1, best, who,
-                    )  # fmt: skip
+                    block = (at_x, at_x + gx - 1, at_y, at_y + gy - 1)
+                    best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
     return best, who
 
 
-@kernel
+@bare_kernel
 def release(tables: Tables, k: int) -> None:
     """Particle k has lost its partner: it keeps the time and will look again then."""
     tables.link[k, PARTNER] = STALE
     rise(tables.flight, tables.link, tables.ring, tables.heap, k)
 
 
-@kernel
+@bare_kernel
 def _hold(tables: Tables, i: int, time: float, who: int) -> None:
     """Give particle i its next event, and its partner the same; file both."""
     flight, link, ring, heap = tables.flight, tables.link, tables.ring, tables.heap
@@ -229,7 +257,7 @@ def _hold(tables: Tables, i: int, time: float, who: int) -> None:
     insert(flight, link, ring, heap, counter, number, i)
 
 
-@kernel
+@bare_kernel
 def _at_wall(tables: Tables, box: Box, i: int) -> tuple[float, int]:
     """The next wall that particle i meets, looked for in the outermost cells only."""
     level = tables.link[i, LEVEL]
@@ -243,7 +271,7 @@ def _at_wall(tables: Tables, box: Box, i: int) -> tuple[float, int]:
     return math.inf, NOBODY
 
 
-@kernel
+@bare_kernel
 def predict(tables: Tables, box: Box, i: int, now: float) -> None:
     """Look for the next event of particle i among everything around it.
 
@@ -257,9 +285,9 @@ def predict(tables: Tables, box: Box, i: int, now: float) -> None:
     _hold(tables, i, time, who)
 
 
-@kernel
+@bare_kernel
 def predict_entered(tables: Tables, box: Box, i: int, now: float, step_x: int, step_y: int) -> None:
-    """Look for an earlier event of particle i in the cells that a crossing has brought near (no step: in all around it).
+    """Look for an earlier event of particle i in the cells that a crossing has brought near (no step: all around).
 
     Precondition: i is not filed; its cell and crossing time are up to date.
     """

@@ -20,7 +20,7 @@ NEXT, PREV, CELL, LEVEL, PARTNER, Q_NEXT, Q_PREV, PLACE = range(8)
 NOBODY, STALE, WALL = -1, -2, -3
 # Values of PLACE below zero; bucket b of the ring is b, position p of the heap is p plus the size of the ring.
 NOWHERE, LATER = -1, -2
-# Columns of `levels`: columns, rows, first cell, how many images aside a pair can be (x, y), finest cells a cell (x, y).
+# Columns of `levels`: columns, rows, first cell, images aside of a pair (x, y), finest cells per cell (x, y).
 COLUMNS, ROWS, FIRST, IMAGES_X, IMAGES_Y, FACTOR_X, FACTOR_Y = range(7)
 # Entries of `counter`: current bucket, size of the heap, events, pair tests, predictions, crossings, stale events.
 CURRENT, HEAP, EVENTS, TESTS, PREDICTIONS, CROSSINGS, STALES = range(7)

@@ -1,0 +1,36 @@
+"""Sorting in place, without a new array."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import bare_kernel
+
+__all__ = ["sort"]
+
+
+@bare_kernel
+def _sink(keys: NDArray[np.int64], place: int, size: int) -> None:
+    key = keys[place]
+    while True:
+        child = 2 * place + 1
+        if child >= size:
+            break
+        if child + 1 < size and keys[child + 1] > keys[child]:
+            child += 1
+        if keys[child] <= key:
+            break
+        keys[place] = keys[child]
+        place = child
+    keys[place] = key
+
+
+@bare_kernel
+def sort(keys: NDArray[np.int64], size: int) -> None:
+    """Sort the first `size` entries of `keys` in ascending order (heapsort)."""
+    for place in range(size // 2 - 1, -1, -1):
+        _sink(keys, place, size)
+    for last in range(size - 1, 0, -1):
+        keys[0], keys[last] = keys[last], keys[0]
+        _sink(keys, 0, last)
