@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Mapping
 from pathlib import Path
@@ -36,7 +37,7 @@ class Recorder:
     ----------
     path : file to make; an HDF5 file of that name is replaced, any other is refused
     scenario : what is run
-    flush_seconds : longest time between two flushes [s], as long as frames come
+    flush_seconds : longest time between two flushes [s], as long as frames come; the first frame is flushed at once
     flush_frames : most frames that are buffered
 
     Raises
@@ -53,7 +54,7 @@ class Recorder:
         """Frames taken so far."""
         self._flush_seconds = flush_seconds
         self._flush_frames = flush_frames
-        self._flushed_at = time.monotonic()
+        self._flushed_at = -math.inf
         self._last_number = -1
         self._roster: State | None = None
         with writing(self.path):
