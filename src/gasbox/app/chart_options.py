@@ -72,7 +72,7 @@ def initial(name: str, color: str, quantity: str) -> dict[str, Any]:
             **_axis("number of particles", 40),
             "min": 0,
             "max": 10,
-            "splitNumber": 3,
+            "interval": 5,
             "axisLine": {"show": False},
         },
         "tooltip": {

@@ -92,7 +92,7 @@ class Page:
             f"<script>window.gasboxPage = {settings};\n{(_ASSETS / 'page.js').read_text()}</script>"
         )
         ui.label("Drop a scenario or a snapshot here").classes("drop-hint").props('aria-hidden="true"')
-        ui.on("gasbox_key", self._pressed)
+        ui.on("gasbox_key", lambda event: self.press(str(event.args)))
         ui.on("gasbox_visible", self._seen)
 
     def _arrange(self) -> None:
@@ -109,6 +109,7 @@ class Page:
         self.transport.refresh()
         if sample is None:
             return
+        self.stage.settle()
         if sample.version != self._version:
             self._changed(sample)
         self.transport.show_reached(sample.keeping_up or not sample.playing, sample.speed_reached)
@@ -165,8 +166,9 @@ class Page:
     def _seen(self, event: GenericEventArguments) -> None:
         self._visible = bool(event.args)
 
-    async def _pressed(self, event: GenericEventArguments) -> None:
-        action = action_of(str(event.args))
+    async def press(self, key: str) -> None:
+        """Do what a key stands for; `key` is the browser's name of it."""
+        action = action_of(key)
         if action == "save":
             await self.files.save_snapshot()
         elif action == "open":

@@ -76,16 +76,20 @@ class Stage:
                 )
         self._progress.set_visibility(False)
         self._again.set_visibility(False)
+        self._reason = "preparing"
 
     def hear(self, notice: dict[str, Any]) -> None:
         """What the server says to the box."""
         kind = notice.get("kind")
+        self._reason = str(kind)
         if kind == "preparing":
             done, total = int(notice.get("done", 0)), max(int(notice.get("total", 1)), 1)
             first = notice.get("first", True)
             self._draw(
                 "Compiling for this machine …" if first else "Loading …",
-                f"Only at the first start: {done} of {total}." if first else "",
+                f"Only at the first start: {done} of {total} done, now {notice.get('name', '')}."
+                if first
+                else "",
                 done / total,
             )
         elif kind == "busy":
@@ -106,8 +110,14 @@ class Stage:
 
     def open(self) -> None:
         """Draw the curtain back: there is a gas."""
+        self._reason = ""
         if self._curtain.visible:
             self._curtain.set_visibility(False)
+
+    def settle(self) -> None:
+        """There is a gas: whatever was said of its preparation is over."""
+        if self._reason == "preparing":
+            self.open()
 
     def _draw(self, heading: str, text: str, progress: float | None = None, *, again: bool = False) -> None:
         self._heading.set_text(heading)
