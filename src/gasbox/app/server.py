@@ -116,7 +116,7 @@ def _sessions(max_sessions: int, tell: Callable[[str], None]) -> tuple[Registry,
     def progress(done: int, total: int, name: str) -> None:
         registry.announce(protocol.notice("preparing", done=done, total=total, name=name, first=first_start))
         if first_start:
-            tell(f"Compiling for this machine, only at the first start: {done} of {total} ({name})")
+            tell(f"Compiling, only at the first start: {name} ({done + 1} of {total})" if name else "Compiled.")
 
     preparation = Preparation(progress)
 

@@ -28,6 +28,12 @@ export class CpuRenderer {
     this.context.putImageData(this.image, 0, 0);
   }
 
+  // Nothing but one colour.
+  blank(color) {
+    this.pixels.fill(pack(color));
+    this.context.putImageData(this.image, 0, 0);
+  }
+
   // In pixels: the part of the canvas that the box covers, [left, top, right, bottom).
   box({ view, table }) {
     const { width, height } = this.canvas;

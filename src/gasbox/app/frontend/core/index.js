@@ -154,7 +154,11 @@ class Lab {
   }
 
   redraw() {
-    if (!this.table || !this.sized) return;
+    if (!this.sized) return;
+    if (!this.table) {
+      this.renderer.blank(this.theme.outside);
+      return;
+    }
     const { frame, table, view, theme, palette, trail } = this;
     const scene = { frame, table, view, theme, palette, trail };
     this.renderer.draw(scene);

@@ -109,6 +109,12 @@ export class GlRenderer {
     this.instances(scene);
   }
 
+  // Nothing but one colour.
+  blank(color) {
+    this.gl.disable(this.gl.SCISSOR_TEST);
+    clear(this.gl, color);
+  }
+
   // In pixels from the lower left corner: left, bottom, width, height of the box on the canvas.
   box({ view, table }) {
     const { width, height } = this.canvas;
