@@ -17,7 +17,7 @@ from typing import Any, TypeVar, cast
 import numba
 import numba.core.config
 
-__all__ = ["bare_kernel", "cache_folder", "kernel", "mark_compiled", "was_compiled"]
+__all__ = ["bare_kernel", "cache_folder", "inlined_kernel", "kernel", "mark_compiled", "was_compiled"]
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _config: Any = numba.core.config
@@ -55,6 +55,11 @@ def bare_kernel(function: _Function) -> _Function:
     calls only others of its kind and must not allocate (no new arrays, no sort).
     """
     return _compiled(function, _nrt=False)
+
+
+def inlined_kernel(function: _Function) -> _Function:
+    """As `bare_kernel`, for small functions that shall become part of their callers."""
+    return _compiled(function, _nrt=False, forceinline=True)
 
 
 def _compiled(function: _Function, **options: bool) -> _Function:

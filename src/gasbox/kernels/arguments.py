@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.geometry import Rectangle
-from gasbox.jit import bare_kernel
+from gasbox.jit import inlined_kernel
 from gasbox.state import Contacts, State, Tallies
 
 __all__ = [
@@ -96,7 +96,7 @@ def ledger(tallies: Tallies, contacts: Contacts, rows: NDArray[np.int64]) -> Led
     )
 
 
-@bare_kernel
+@inlined_kernel
 def _write(book: Ledger, kind: int, time: float, first: int, second: int, jx: float, jy: float) -> None:
     row = book.rows[0]
     book.kind[row] = kind
@@ -108,7 +108,7 @@ def _write(book: Ledger, kind: int, time: float, first: int, second: int, jx: fl
     book.rows[0] = row + 1
 
 
-@bare_kernel
+@inlined_kernel
 def book_pair(
     book: Ledger,
     gas: Gas,
@@ -130,7 +130,7 @@ def book_pair(
         _write(book, _PAIR, time, gas.id[i], gas.id[j], jx, jy)
 
 
-@bare_kernel
+@inlined_kernel
 def book_wall(book: Ledger, gas: Gas, i: int, wall: int, time: float, jx: float, jy: float) -> None:
     """Book a collision of row `i` with a wall; (jx, jy) is the impulse given to the particle.
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import inlined_kernel
 
 __all__ = ["exchange", "nearest"]
 
 
-@bare_kernel
+@inlined_kernel
 def nearest(difference: float, length: float, periodic: bool) -> float:
     """The component of a difference of two positions, taken to the nearest image if `periodic`.
 
@@ -21,7 +21,7 @@ def nearest(difference: float, length: float, periodic: bool) -> float:
     return difference
 
 
-@bare_kernel
+@inlined_kernel
 def exchange(
     dx: float, dy: float, dvx: float, dvy: float, mass_i: float, mass_j: float
 ) -> tuple[float, float, float, float]:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box
 
 __all__ = ["Grid", "cell_of", "classes", "file", "grid", "span"]
@@ -81,13 +81,13 @@ def grid(radius: NDArray[np.float64], width: float, height: float, ratio: float 
     )
 
 
-@bare_kernel
+@inlined_kernel
 def cell_of(coordinate: float, length: float, cells: int) -> int:
     """Column (or row) of a coordinate; what lies outside belongs to the outermost cell."""
     return min(max(int(coordinate / length * cells), 0), cells - 1)
 
 
-@bare_kernel
+@inlined_kernel
 def span(cell: int, cells: int, periodic: bool) -> tuple[int, int]:
     """First and last offset of the neighbours of a cell in one direction, each cell once however few there are."""
     if periodic:

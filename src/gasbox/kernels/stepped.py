@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import DONE, FULL, Box, Gas, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange, nearest
 from gasbox.kernels.grid import Grid, cell_of, file, span
@@ -57,7 +57,7 @@ def _drift(position: NDArray[np.float64], velocity: NDArray[np.float64], box: Bo
         position[i, 1] = y
 
 
-@bare_kernel
+@inlined_kernel
 def _scan(
     s: int,
     begin: int,
@@ -165,12 +165,12 @@ def _find(gas: Gas, box: Box, grid: Grid, room: Workspace) -> int:
     return found
 
 
-@bare_kernel
+@inlined_kernel
 def _full(book: Ledger) -> bool:
     return book.kind.shape[0] > 0 and book.rows[0] >= book.kind.shape[0]
 
 
-@bare_kernel
+@inlined_kernel
 def _collide(i: int, j: int, gas: Gas, box: Box, time: float, book: Ledger) -> None:
     dx = nearest(gas.position[i, 0] - gas.position[j, 0], box.width, box.periodic_x)
     dy = nearest(gas.position[i, 1] - gas.position[j, 1], box.height, box.periodic_y)
@@ -186,7 +186,7 @@ def _collide(i: int, j: int, gas: Gas, box: Box, time: float, book: Ledger) -> N
     book_pair(book, gas, i, j, time, -impulse * dx, -impulse * dy, virial)
 
 
-@bare_kernel
+@inlined_kernel
 def _hits(
     i: int,
     wall: int,
@@ -205,7 +205,7 @@ def _hits(
     return not box.periodic_y and position[i, 1] + radius[i] >= box.height and velocity[i, 1] > 0.0
 
 
-@bare_kernel
+@inlined_kernel
 def _bounce(i: int, wall: int, gas: Gas, time: float, book: Ledger) -> None:
     axis = wall // 2
     given = -2.0 * gas.mass[i] * gas.velocity[i, axis]

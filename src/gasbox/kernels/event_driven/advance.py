@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import DONE, FULL, NO_PROGRESS, Box, Gas, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange
 from gasbox.kernels.event_driven.cells import cross, schedule_crossing
@@ -34,7 +34,7 @@ from gasbox.kernels.event_driven.tables import (
 __all__ = ["advance"]
 
 
-@bare_kernel
+@inlined_kernel
 def _refer(tables: Tables, box: Box, i: int, now: float) -> None:
     """Make `now` the reference time of particle i: its position then, inside the box where it is periodic."""
     flight = tables.flight
@@ -50,7 +50,7 @@ def _refer(tables: Tables, box: Box, i: int, now: float) -> None:
     flight[i, T0] = now
 
 
-@bare_kernel
+@inlined_kernel
 def _free(tables: Tables, i: int) -> None:
     """Take particle i out of the queue, without an event."""
     remove(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, i)
@@ -58,7 +58,7 @@ def _free(tables: Tables, i: int) -> None:
     tables.link[i, PARTNER] = NOBODY
 
 
-@bare_kernel
+@inlined_kernel
 def _collide(
     tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, j: int, now: float, epoch: float
 ) -> None:
@@ -82,7 +82,7 @@ def _collide(
     book_pair(book, gas, i, j, epoch + now, -impulse * dx, -impulse * dy, virial)
 
 
-@bare_kernel
+@inlined_kernel
 def _bounce(
     tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, wall: int, now: float, epoch: float
 ) -> None:
@@ -99,7 +99,7 @@ def _bounce(
         book_wall(book, gas, i, wall, epoch + now, 0.0, 2.0 * gas.mass[i] * flight[i, VY])
 
 
-@bare_kernel
+@inlined_kernel
 def _pair_event(
     tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, j: int, now: float, epoch: float
 ) -> None:
@@ -116,7 +116,7 @@ def _pair_event(
     predict(tables, box, j, now)
 
 
-@bare_kernel
+@inlined_kernel
 def _wall_event(
     tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, wall: int, now: float, epoch: float
 ) -> None:
@@ -126,7 +126,7 @@ def _wall_event(
     predict(tables, box, i, now)
 
 
-@bare_kernel
+@inlined_kernel
 def _cross_event(tables: Tables, box: Box, i: int, now: float) -> None:
     remove(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, i)
     flight, link, levels, sides = tables.flight, tables.link, tables.levels, tables.sides

@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import inlined_kernel
 from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.tables import (
     CELL,
@@ -31,7 +31,7 @@ from gasbox.kernels.event_driven.tables import (
 __all__ = ["cross", "enter", "leave", "schedule_crossing"]
 
 
-@bare_kernel
+@inlined_kernel
 def enter(link: NDArray[np.int32], head: NDArray[np.int32], i: int, cell: int) -> None:
     """Put particle `i` into the list of `cell`."""
     after = head[cell]
@@ -43,7 +43,7 @@ def enter(link: NDArray[np.int32], head: NDArray[np.int32], i: int, cell: int) -
     head[cell] = i
 
 
-@bare_kernel
+@inlined_kernel
 def leave(link: NDArray[np.int32], head: NDArray[np.int32], i: int) -> None:
     """Take particle `i` out of the list of its cell."""
     before, after = link[i, PREV], link[i, NEXT]
@@ -55,7 +55,7 @@ def leave(link: NDArray[np.int32], head: NDArray[np.int32], i: int) -> None:
         link[after, PREV] = before
 
 
-@bare_kernel
+@inlined_kernel
 def _time_to_cross(
     x: float, v: float, cell: int, cells: int, side: float, length: float, periodic: bool
 ) -> float:
@@ -71,7 +71,7 @@ def _time_to_cross(
     return distance / abs(v)
 
 
-@bare_kernel
+@inlined_kernel
 def schedule_crossing(
     flight: NDArray[np.float64],
     link: NDArray[np.int32],
@@ -93,7 +93,7 @@ def schedule_crossing(
     flight[i, T_CROSS] = now + min(along_x, along_y)
 
 
-@bare_kernel
+@inlined_kernel
 def cross(
     flight: NDArray[np.float64],
     link: NDArray[np.int32],

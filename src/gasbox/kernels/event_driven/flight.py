@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import inlined_kernel
 from gasbox.kernels.event_driven.tables import RADIUS, T0, VX, VY, WALL, X, Y
 
 __all__ = ["GRAZING", "meeting_time", "wall_meeting"]
@@ -17,7 +17,7 @@ GRAZING = 1e-24
 overlap by less than 1e-24 of a diameter, and rounding could not tell on which side."""
 
 
-@bare_kernel
+@inlined_kernel
 def meeting_time(dx: float, dy: float, dvx: float, dvy: float, sigma: float, start: float) -> float:
     """Time at which two discs touch while approaching, infinity if never.
 
@@ -48,7 +48,7 @@ def meeting_time(dx: float, dy: float, dvx: float, dvy: float, sigma: float, sta
     return start + c / (math.sqrt(discriminant) - b)
 
 
-@bare_kernel
+@inlined_kernel
 def wall_meeting(
     flight: NDArray[np.float64], i: int, width: float, height: float, walled_x: bool, walled_y: bool
 ) -> tuple[float, int]:

@@ -12,7 +12,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.event_driven.tables import (
     BUCKETS_PER_TIME,
     CURRENT,
@@ -35,7 +35,7 @@ _Flight = NDArray[np.float64]
 _Ints = NDArray[np.int32]
 
 
-@bare_kernel
+@inlined_kernel
 def _key(flight: _Flight, link: _Ints, i: int) -> tuple[float, int, int, int]:
     """Order of events: time; then what only finds events, pairs, walls; then ids."""
     event, crossing = flight[i, T_EVENT], flight[i, T_CROSS]
@@ -49,7 +49,7 @@ def _key(flight: _Flight, link: _Ints, i: int) -> tuple[float, int, int, int]:
     return event, 2, i, -partner
 
 
-@bare_kernel
+@inlined_kernel
 def _before(flight: _Flight, link: _Ints, i: int, j: int) -> bool:
     t_i = min(flight[i, T_EVENT], flight[i, T_CROSS])
     t_j = min(flight[j, T_EVENT], flight[j, T_CROSS])
@@ -58,7 +58,7 @@ def _before(flight: _Flight, link: _Ints, i: int, j: int) -> bool:
     return _key(flight, link, i) < _key(flight, link, j)
 
 
-@bare_kernel
+@inlined_kernel
 def _rise(flight: _Flight, link: _Ints, heap: _Ints, place: int, base: int) -> None:
     i = heap[place]
     while place > 0:
@@ -73,7 +73,7 @@ def _rise(flight: _Flight, link: _Ints, heap: _Ints, place: int, base: int) -> N
     link[i, PLACE] = base + place
 
 
-@bare_kernel
+@inlined_kernel
 def _sink(flight: _Flight, link: _Ints, heap: _Ints, place: int, size: int, base: int) -> None:
     i = heap[place]
     while True:
@@ -92,7 +92,7 @@ def _sink(flight: _Flight, link: _Ints, heap: _Ints, place: int, size: int, base
     link[i, PLACE] = base + place
 
 
-@bare_kernel
+@inlined_kernel
 def remove(
     flight: _Flight, link: _Ints, ring: _Ints, heap: _Ints, counter: NDArray[np.int64], i: int
 ) -> None:
@@ -119,7 +119,7 @@ def remove(
     link[i, PLACE] = NOWHERE
 
 
-@bare_kernel
+@inlined_kernel
 def rise(flight: _Flight, link: _Ints, ring: _Ints, heap: _Ints, i: int) -> None:
     """Restore the order after the event of particle `i` has come to rank earlier at the same time."""
     place = link[i, PLACE]
@@ -127,7 +127,7 @@ def rise(flight: _Flight, link: _Ints, ring: _Ints, heap: _Ints, i: int) -> None
         _rise(flight, link, heap, place - ring.shape[0], ring.shape[0])
 
 
-@bare_kernel
+@inlined_kernel
 def insert(
     flight: _Flight,
     link: _Ints,

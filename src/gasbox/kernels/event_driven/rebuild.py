@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas
 from gasbox.kernels.event_driven.cells import enter, schedule_crossing
 from gasbox.kernels.event_driven.queue import remove
@@ -38,7 +38,7 @@ from gasbox.kernels.grid import cell_of
 __all__ = ["project", "rebuild", "shift"]
 
 
-@bare_kernel
+@inlined_kernel
 def _fold(coordinate: float, length: float, periodic: bool) -> float:
     """The coordinate inside the box, if periodic."""
     if periodic:

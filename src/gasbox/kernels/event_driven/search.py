@@ -14,7 +14,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.flight import meeting_time, wall_meeting
 from gasbox.kernels.event_driven.queue import insert, remove, rise
@@ -49,7 +49,7 @@ from gasbox.kernels.grid import span
 __all__ = ["predict", "predict_entered", "release"]
 
 
-@bare_kernel
+@inlined_kernel
 def _precedes(
     flight: NDArray[np.float64], link: NDArray[np.int32], time: float, i: int, j: int, k: int
 ) -> bool:
@@ -85,7 +85,7 @@ def _over_images(
     return best
 
 
-@bare_kernel
+@inlined_kernel
 def _preferred(time: float, i: int, j: int, best: float, who: int) -> bool:
     """Whether the meeting of i and j comes before what was found for i so far."""
     if time != best:
@@ -96,7 +96,7 @@ def _preferred(time: float, i: int, j: int, best: float, who: int) -> bool:
     return who <= WALL
 
 
-@bare_kernel
+@inlined_kernel
 def _look(
     flight: NDArray[np.float64],
     link: NDArray[np.int32],
@@ -164,7 +164,7 @@ def _look(
     return best, who
 
 
-@bare_kernel
+@inlined_kernel
 def _entered(
     step: int, old: int, cell: int, cells: int, periodic: bool, low: int, high: int
 ) -> tuple[int, int]:
@@ -176,7 +176,7 @@ def _entered(
     return 1, 0
 
 
-@bare_kernel
+@inlined_kernel
 def _survey(
     tables: Tables,
     box: Box,
@@ -232,14 +232,14 @@ def _survey(
     return best, who
 
 
-@bare_kernel
+@inlined_kernel
 def release(tables: Tables, k: int) -> None:
     """Particle k has lost its partner: it keeps the time and will look again then."""
     tables.link[k, PARTNER] = STALE
     rise(tables.flight, tables.link, tables.ring, tables.heap, k)
 
 
-@bare_kernel
+@inlined_kernel
 def _hold(tables: Tables, i: int, time: float, who: int) -> None:
     """Give particle i its next event, and its partner the same; file both."""
     flight, link, ring, heap = tables.flight, tables.link, tables.ring, tables.heap
@@ -257,7 +257,7 @@ def _hold(tables: Tables, i: int, time: float, who: int) -> None:
     insert(flight, link, ring, heap, counter, number, i)
 
 
-@bare_kernel
+@inlined_kernel
 def _at_wall(tables: Tables, box: Box, i: int) -> tuple[float, int]:
     """The next wall that particle i meets, looked for in the outermost cells only."""
     level = tables.link[i, LEVEL]
