@@ -252,6 +252,24 @@ def test_a_click_picks_a_disc_or_none(open_box: Any) -> None:
     assert box.page.evaluate("picked") == [0, 1, None]
 
 
+def test_two_fingers_zoom(open_box: Any) -> None:
+    box = open_box("cpu", [(2, 30.0, 20.0)])
+    whole, (px, py) = box.scale(), box.place(30, 20)
+    touch = box.page.context.new_cdp_session(box.page)
+
+    def send(kind: str, *fingers: float) -> None:
+        points = [{"x": px + x, "y": py, "id": number} for number, x in enumerate(fingers)]
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    send("touchStart", -40.0, 40.0)
+    for spread in (60.0, 80.0, 100.0):
+        send("touchMove", -spread, spread)
+    send("touchEnd")
+    assert box.scale() == pytest.approx(2.5 * whole, rel=0.1)
+    assert box.place(30, 20) == pytest.approx((px, py), abs=5)
+    assert box.page.evaluate("picked") == []
+
+
 @BOTH
 def test_the_canvas_follows_its_element(open_box: Any, renderer: str) -> None:
     box = open_box(renderer, [(2, 30.0, 20.0)])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import functools
+import os
 import socket
 import sys
 import threading
@@ -30,6 +31,12 @@ from gasbox.scenario import Scenario
 __all__ = ["DEFAULT_PORT", "serve"]
 
 DEFAULT_PORT: Final = 8765
+_ICON: Final = (
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32"><rect width="32" height="32" rx="7" fill="#12161d"/>'
+    '<circle cx="11" cy="20" r="7" fill="#009e73"/><circle cx="22" cy="11" r="5" fill="#e05a00"/>'
+    '<circle cx="24" cy="23" r="3" fill="#5b6cf0"/></svg>'
+)
+"""Three discs, in the colours of the default scenario."""
 
 
 def _say(line: str) -> None:
@@ -68,7 +75,7 @@ def serve(
         for line in _greeting(host, address):
             tell(line)
         preparation.start()
-        if show:
+        if show and _has_screen():
             threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
 
     config = uvicorn.Config(
@@ -76,7 +83,7 @@ def serve(
         log_level="error",
         ws="websockets-sansio",
         ws_per_message_deflate=False,  # compression costs most of the frames and gains little
-        ws_max_size=4096,
+        ws_max_size=2**20,
         timeout_graceful_shutdown=1,
     )
     server = _Server(config, on_ready)
@@ -94,6 +101,12 @@ def _greeting(host: str, address: str) -> list[str]:
     if not is_loopback(host):
         lines.append(f"Warning: listening on {host}: everyone who can reach this machine can use it.")
     return lines
+
+
+def _has_screen() -> bool:
+    """Whether a browser can be opened; without a screen a text browser might take the terminal over."""
+    named = ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER")
+    return not sys.platform.startswith("linux") or any(os.environ.get(name) for name in named)
 
 
 class _Server(uvicorn.Server):
@@ -116,7 +129,9 @@ def _sessions(max_sessions: int, tell: Callable[[str], None]) -> tuple[Registry,
     def progress(done: int, total: int, name: str) -> None:
         registry.announce(protocol.notice("preparing", done=done, total=total, name=name, first=first_start))
         if first_start:
-            tell(f"Compiling, only at the first start: {name} ({done + 1} of {total})" if name else "Compiled.")
+            tell(
+                f"Compiling, only at the first start: {name} ({done + 1} of {total})" if name else "Compiled."
+            )
 
     preparation = Preparation(progress)
 
@@ -150,6 +165,7 @@ def _application(scenario: Scenario, registry: Registry) -> FastAPI:
     ui.run_with(
         app,
         title="gasbox",
+        favicon=_ICON,
         reconnect_timeout=KEEP,
         show_welcome_message=False,
         dark=None,
@@ -164,11 +180,6 @@ async def _sweep(registry: Registry) -> None:
 
 
 def _build_page(session: Session) -> None:
-    try:
-        from gasbox.app import page
-    except ImportError:
-        LabCanvas(session).style("width: 100vw; height: 90vh")
-        return
     page.build(session)
 
 
