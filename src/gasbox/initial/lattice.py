@@ -13,9 +13,9 @@ from gasbox.kernels.placement import free_places, shake
 
 __all__ = ["place_on_lattice"]
 
-_MOVES: Final = 4_000_000
+_MOVES: Final = 16_000_000
 """About so many moves are tried in all, but at least `_LEAST_SWEEPS` and at most `_MOST_SWEEPS` for each disc."""
-_LEAST_SWEEPS: Final = 5
+_LEAST_SWEEPS: Final = 8
 _MOST_SWEEPS: Final = 200
 _TRIES: Final = 8
 
@@ -33,7 +33,8 @@ def place_on_lattice(room: Room, discs: NDArray[np.int64], random: np.random.Gen
         if room.placed.any():
             places = places[free_places(room.grid, room.position, room.radius, places, radius)]
         if places.shape[0] >= discs.size:
-            room.enter(discs, places[random.permutation(places.shape[0])[: discs.size]])
+            chosen = np.sort(random.permutation(places.shape[0])[: discs.size])
+            room.enter(discs, places[chosen])
             _loosen(room, discs, fitting[0].gap - 2 * radius, random)
             return True
         # Other discs stand in the way of some places: ask for so many more.
@@ -46,9 +47,6 @@ def _loosen(room: Room, discs: NDArray[np.int64], slack: float, random: np.rando
     radius = float(room.radius[discs[0]])
     step = min(max(slack, 0.1 * radius), radius)
     sweeps = min(max(_MOVES // discs.size, _LEAST_SWEEPS), _MOST_SWEEPS)
-    # In the order of places, so that the processor's cache helps; a million discs have to be ready in seconds.
-    cells = np.floor(room.position[discs] / (8 * radius)).astype(np.int64)
-    order = discs[np.lexsort((cells[:, 0], cells[:, 1]))]
     for _ in range(sweeps):
-        uniform = random.random((order.size, 2))
-        shake(room.grid, room.position, room.radius, order, room.low, room.high, step, uniform)
+        uniform = random.random((discs.size, 2))
+        shake(room.grid, room.position, room.radius, discs, room.low, room.high, step, uniform)

@@ -41,17 +41,30 @@ def place(
     """
     geometry = scenario.container.geometry()
     radii = np.array([entry.radius for entry in scenario.species])
-    every = np.concatenate([listed_species, species])
     bounds = np.array([entry.bounds(geometry) for entry in scenario.species])
     low, high = _centre_bounds(geometry, bounds, radii)
-    room = Room.around(geometry, listed, radii[every], low[every], high[every])
     random = generator(scenario.seed, Stream.POSITIONS)
+    turn = _turns(radii[species], bounds[species], random)
+    every = np.concatenate([listed_species, species[turn]])
+    room = Room.around(geometry, listed, radii[every], low[every], high[every])
     count = listed.shape[0]
     for crowd in _islands(crowds(geometry, scenario.species, scenario.particles)):
-        discs = count + np.flatnonzero(np.isin(species, crowd.members))
+        discs = count + np.flatnonzero(np.isin(species[turn], crowd.members))
         if not _place_crowd(room, crowd, discs, random):
             raise ScenarioError([_refusal(room, crowd, discs)])
-    return room.position[count:]
+    placed = np.empty((species.shape[0], 2))
+    placed[turn] = room.position[count:]
+    return placed
+
+
+def _turns(
+    radius: NDArray[np.float64], bounds: NDArray[np.float64], random: np.random.Generator
+) -> NDArray[np.intp]:
+    """In which order discs (n,) get their places: the largest first, those with equal radius and part shuffled.
+
+    Neighbours in this order become neighbours in the box, which is quick; ids say nothing about places.
+    """
+    return np.lexsort((random.random(radius.shape[0]), *bounds.T, -radius))
 
 
 def _centre_bounds(

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import kernel
-from gasbox.kernels.size_grid import SizeGrid, first_cell, last_cell, nearest, put, take
+from gasbox.kernels.size_grid import SizeGrid, around, first_cell, last_cell, nearest, put, take
 
 __all__ = ["CROWDED", "SEPARATED", "enter_all", "push_apart", "worst_pair"]
 
@@ -50,17 +50,19 @@ def worst_pair(
         for k in range(grid.size_class[i] + 1):
             reach = r + grid.top[k]
             columns, rows = grid.cells[k, 0], grid.cells[k, 1]
-            left = first_cell(grid, k, 0, x - reach, x + reach)
-            right = last_cell(grid, k, 0, x - reach, x + reach)
+            left = first_cell(x - reach, x + reach, grid.width[k, 0], columns, grid.periodic[0])
+            right = last_cell(x - reach, x + reach, grid.width[k, 0], columns, grid.periodic[0])
             for row in range(
-                first_cell(grid, k, 1, y - reach, y + reach), last_cell(grid, k, 1, y - reach, y + reach) + 1
+                first_cell(y - reach, y + reach, grid.width[k, 1], rows, grid.periodic[1]),
+                last_cell(y - reach, y + reach, grid.width[k, 1], rows, grid.periodic[1]) + 1,
             ):
+                start = grid.offset[k] + around(row, rows) * columns
                 for column in range(left, right + 1):
-                    j = grid.head[grid.offset[k] + (row % rows) * columns + column % columns]
+                    j = grid.head[start + around(column, columns)]
                     while j >= 0:
                         if j < i or (j > i and k < grid.size_class[i]):
-                            dx = nearest(grid, 0, x - position[j, 0])
-                            dy = nearest(grid, 1, y - position[j, 1])
+                            dx = nearest(x - position[j, 0], grid.size[0], grid.periodic[0])
+                            dy = nearest(y - position[j, 1], grid.size[1], grid.periodic[1])
                             depth = r + radius[j] - math.sqrt(dx * dx + dy * dy)
                             if depth > worst and depth > touching * min(r, radius[j]):
                                 first, second, worst = min(i, j), max(i, j), depth
@@ -82,18 +84,20 @@ def _overlapping(
     for k in range(grid.top.shape[0]):
         reach = r + grid.top[k]
         columns, rows = grid.cells[k, 0], grid.cells[k, 1]
-        left = first_cell(grid, k, 0, x - reach, x + reach)
-        right = last_cell(grid, k, 0, x - reach, x + reach)
+        left = first_cell(x - reach, x + reach, grid.width[k, 0], columns, grid.periodic[0])
+        right = last_cell(x - reach, x + reach, grid.width[k, 0], columns, grid.periodic[0])
         for row in range(
-            first_cell(grid, k, 1, y - reach, y + reach), last_cell(grid, k, 1, y - reach, y + reach) + 1
+            first_cell(y - reach, y + reach, grid.width[k, 1], rows, grid.periodic[1]),
+            last_cell(y - reach, y + reach, grid.width[k, 1], rows, grid.periodic[1]) + 1,
         ):
+            start = grid.offset[k] + around(row, rows) * columns
             for column in range(left, right + 1):
                 looked += 1
-                j = grid.head[grid.offset[k] + (row % rows) * columns + column % columns]
+                j = grid.head[start + around(column, columns)]
                 while j >= 0:
                     looked += 1
-                    dx = nearest(grid, 0, x - position[j, 0])
-                    dy = nearest(grid, 1, y - position[j, 1])
+                    dx = nearest(x - position[j, 0], grid.size[0], grid.periodic[0])
+                    dy = nearest(y - position[j, 1], grid.size[1], grid.periodic[1])
                     if j != i and count < found.shape[0] and dx * dx + dy * dy < (r + radius[j]) ** 2:
                         found[count] = j
                         count += 1
@@ -135,8 +139,8 @@ def _push(
     j: int,
 ) -> bool:
     """Push `i` and `j` apart along the line of centres, the one with the greater share farther; False if apart."""
-    dx = nearest(grid, 0, position[i, 0] - position[j, 0])
-    dy = nearest(grid, 1, position[i, 1] - position[j, 1])
+    dx = nearest(position[i, 0] - position[j, 0], grid.size[0], grid.periodic[0])
+    dy = nearest(position[i, 1] - position[j, 1], grid.size[1], grid.periodic[1])
     distance = math.sqrt(dx * dx + dy * dy)
     touch = radius[i] + radius[j]
     total = share[i] + share[j]

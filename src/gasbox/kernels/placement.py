@@ -23,7 +23,7 @@ def insert(
     low: NDArray[np.float64],
     high: NDArray[np.float64],
     uniform: NDArray[np.float64],
-) -> tuple[int, int]:
+) -> int:
     """Random sequential insertion: each disc of `order` in turn tries places until one is free.
 
     Parameters
@@ -37,7 +37,7 @@ def insert(
 
     Returns
     -------
-    Number of discs placed, and of tries used.
+    Number of discs placed.
 
     Source
     ------
@@ -46,7 +46,7 @@ def insert(
     placed = 0
     for attempt in range(uniform.shape[0]):
         if placed == order.shape[0]:
-            return placed, attempt
+            break
         i = order[placed]
         x = min(low[i, 0] + uniform[attempt, 0] * (high[i, 0] - low[i, 0]), high[i, 0])
         y = min(low[i, 1] + uniform[attempt, 1] * (high[i, 1] - low[i, 1]), high[i, 1])
@@ -55,7 +55,7 @@ def insert(
             position[i, 1] = y
             put(grid, i, x, y)
             placed += 1
-    return placed, uniform.shape[0]
+    return placed
 
 
 @kernel

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from gasbox.jit import kernel
 
-__all__ = ["SizeGrid", "cell", "first_cell", "last_cell", "nearest", "overlaps_any", "put", "take"]
+__all__ = ["SizeGrid", "around", "cell", "first_cell", "last_cell", "nearest", "overlaps_any", "put", "take"]
 
 
 class SizeGrid(NamedTuple):
@@ -49,8 +49,8 @@ class SizeGrid(NamedTuple):
 @kernel
 def cell(grid: SizeGrid, k: int, x: float, y: float) -> int:
     """Index in `head` of the cell of class `k` that holds (x, y); what lies outside belongs to the edge."""
-    column = min(max(int(math.floor(x / grid.width[k, 0])), 0), grid.cells[k, 0] - 1)
-    row = min(max(int(math.floor(y / grid.width[k, 1])), 0), grid.cells[k, 1] - 1)
+    column = min(max(math.floor(x / grid.width[k, 0]), 0), grid.cells[k, 0] - 1)
+    row = min(max(math.floor(y / grid.width[k, 1]), 0), grid.cells[k, 1] - 1)
     return int(grid.offset[k] + row * grid.cells[k, 0] + column)
 
 
@@ -76,34 +76,38 @@ def take(grid: SizeGrid, i: int, x: float, y: float) -> None:
 
 
 @kernel
-def first_cell(grid: SizeGrid, k: int, axis: int, low: float, high: float) -> int:
-    """First cell along `axis` that meets [low, high]; in a periodic direction it may be negative."""
-    count, width = grid.cells[k, axis], grid.width[k, axis]
+def first_cell(low: float, high: float, width: float, count: int, periodic: bool) -> int:
+    """First of `count` cells of this width that meets [low, high]; in a periodic direction it may be negative."""
     # The margin keeps rounding at the edge of a cell from hiding a neighbour.
-    first = int(math.floor(low / width - 1e-9))
-    if grid.periodic[axis]:
-        last = int(math.floor(high / width + 1e-9))
+    first = math.floor(low / width - 1e-9)
+    if periodic:
+        last = math.floor(high / width + 1e-9)
         return 0 if last - first + 1 >= count else first
     return min(max(first, 0), count - 1)
 
 
 @kernel
-def last_cell(grid: SizeGrid, k: int, axis: int, low: float, high: float) -> int:
-    """Last cell along `axis` that meets [low, high]; no cell comes twice from the first to the last."""
-    count, width = grid.cells[k, axis], grid.width[k, axis]
-    last = int(math.floor(high / width + 1e-9))
-    if grid.periodic[axis]:
-        first = int(math.floor(low / width - 1e-9))
+def last_cell(low: float, high: float, width: float, count: int, periodic: bool) -> int:
+    """Last of `count` cells of this width that meets [low, high]; none comes twice from the first to the last."""
+    last = math.floor(high / width + 1e-9)
+    if periodic:
+        first = math.floor(low / width - 1e-9)
         return count - 1 if last - first + 1 >= count else last
     return min(max(last, 0), count - 1)
 
 
 @kernel
-def nearest(grid: SizeGrid, axis: int, difference: float) -> float:
-    """`difference` [length] along `axis`, to the nearest image."""
-    if grid.periodic[axis]:
-        difference -= grid.size[axis] * math.floor(difference / grid.size[axis] + 0.5)
-    return difference
+def around(number: int, count: int) -> int:
+    """Cell `number` of `count`, at most once round the period; quicker than a division."""
+    if number < 0:
+        return number + count
+    return number - count if number >= count else number
+
+
+@kernel
+def nearest(difference: float, length: float, periodic: bool) -> float:
+    """`difference` [length] to the nearest image."""
+    return difference - length * math.floor(difference / length + 0.5) if periodic else difference
 
 
 @kernel
@@ -120,19 +124,18 @@ def overlaps_any(
     for k in range(grid.top.shape[0]):
         reach = r + grid.top[k]
         columns, rows = grid.cells[k, 0], grid.cells[k, 1]
-        for row in range(
-            first_cell(grid, k, 1, y - reach, y + reach), last_cell(grid, k, 1, y - reach, y + reach) + 1
-        ):
-            start = grid.offset[k] + (row % rows) * columns
-            for column in range(
-                first_cell(grid, k, 0, x - reach, x + reach), last_cell(grid, k, 0, x - reach, x + reach) + 1
-            ):
-                j = grid.head[start + column % columns]
+        left = first_cell(x - reach, x + reach, grid.width[k, 0], columns, grid.periodic[0])
+        right = last_cell(x - reach, x + reach, grid.width[k, 0], columns, grid.periodic[0])
+        bottom = first_cell(y - reach, y + reach, grid.width[k, 1], rows, grid.periodic[1])
+        top = last_cell(y - reach, y + reach, grid.width[k, 1], rows, grid.periodic[1])
+        for row in range(bottom, top + 1):
+            start = grid.offset[k] + around(row, rows) * columns
+            for column in range(left, right + 1):
+                j = grid.head[start + around(column, columns)]
                 while j >= 0:
-                    if j != i:
-                        dx = nearest(grid, 0, x - position[j, 0])
-                        dy = nearest(grid, 1, y - position[j, 1])
-                        if dx * dx + dy * dy < (r + radius[j]) ** 2:
-                            return True
+                    dx = nearest(x - position[j, 0], grid.size[0], grid.periodic[0])
+                    dy = nearest(y - position[j, 1], grid.size[1], grid.periodic[1])
+                    if dx * dx + dy * dy < (r + radius[j]) ** 2 and j != i:
+                        return True
                     j = grid.next[j]
     return False
