@@ -243,6 +243,7 @@ async def test_scenario_and_snapshot_are_downloaded_as_files_that_can_be_opened(
 
 
 async def test_panel_applies_what_was_typed(lab: Lab) -> None:
+    lab.page.panel.toggle()
     lab.one("species[0].count").set_value("7")
     lab.one("species[2].color").set_value("#123456")
     lab.one("seed").set_value("4321")
@@ -253,6 +254,7 @@ async def test_panel_applies_what_was_typed(lab: Lab) -> None:
 
 
 async def test_panel_says_what_is_wrong_and_loses_nothing(lab: Lab) -> None:
+    lab.page.panel.toggle()
     version = lab.session.version
     lab.one("species[1].radius").set_value("-2")
     lab.one("species[0].mass").set_value("much")
@@ -268,6 +270,7 @@ async def test_panel_says_what_is_wrong_and_loses_nothing(lab: Lab) -> None:
 
 
 async def test_species_can_be_added_and_removed(lab: Lab) -> None:
+    lab.page.panel.toggle()
     lab.click("add-species")
     lab.click("apply")
     await lab.until(lambda: len(lab.page.charts.histograms) == 4)
@@ -278,6 +281,7 @@ async def test_species_can_be_added_and_removed(lab: Lab) -> None:
 
 
 async def test_dynamics_and_container_can_be_changed(lab: Lab) -> None:
+    lab.page.panel.toggle()
     lab.one("dynamics.kind").set_value("stepped")
     lab.one("dynamics.time_step").set_value("0.5")
     lab.one("periodic-x").set_value(False)

@@ -10,6 +10,8 @@ from nicegui import ui
 from gasbox.app.bins import BinChoice, automatic_ends, edges_of
 from gasbox.app.histogram import Histogram
 from gasbox.app.sample import Sample
+from gasbox.observe import Histogram as Counts
+from gasbox.observe import histogram
 from gasbox.scenario import Species
 
 __all__ = ["MOST_CHARTS", "Charts"]
@@ -70,8 +72,8 @@ class Charts:
         """Average over so many seconds [s]."""
         self.window = window
         self._shown = ()
-        for histogram in self.histograms:
-            histogram.smooth(window)
+        for chart in self.histograms:
+            chart.smooth(window)
 
     def show_theory(self, shown: bool) -> None:
         """Switch the curves on or off."""
@@ -82,19 +84,24 @@ class Charts:
         """Another gas: averages and axes start anew."""
         self._shown = ()
         self._temperature = None
-        for histogram in self.histograms:
-            histogram.forget()
+        for chart in self.histograms:
+            chart.forget()
 
-    def show(self, sample: Sample, temperature: float | None) -> None:
-        """Bring all charts up to date, if anything has changed."""
-        ready = sum(histogram.ready for histogram in self.histograms)
+    def count(self, sample: Sample, temperature: float | None) -> list[Counts]:
+        """Count all particles; nothing if nothing has changed. Touches no element, so any thread may call it."""
+        ready = sum(chart.ready for chart in self.histograms)
         state = (sample.version, sample.frame, ready)
         if state == self._shown:
-            return
+            return []
         self._shown = state
         every = edges_of(self.choice, self._ends(sample, temperature or 0.0))
-        for histogram, edges in zip(self.histograms, every, strict=True):
-            histogram.show(sample, edges, self.choice, self.theory, temperature)
+        quantity = self.choice.quantity
+        return [histogram(sample.state, index, edges, quantity) for index, edges in enumerate(every)]
+
+    def show(self, counts: list[Counts], temperature: float | None) -> None:
+        """Bring the charts up to date with what `count` has found."""
+        for chart, counted in zip(self.histograms, counts, strict=False):
+            chart.show(counted, self.choice, self.theory, temperature)
 
     def _ends(self, sample: Sample, temperature: float) -> list[float]:
         """The automatic ends of the axes; they stay while the temperature changes little."""

@@ -11,6 +11,11 @@ from gasbox.errors import Problem
 
 __all__ = ["keys_dialog", "show_message", "show_problems"]
 
+_POINTING = (
+    "In the box: click a particle to follow it, turn the wheel to zoom, drag to move. "
+    "In a histogram: point at a bar to light up its particles."
+)
+
 
 def show_problems(source: str, problems: Sequence[Problem]) -> None:
     """List everything that is wrong with a scenario."""
@@ -50,9 +55,7 @@ def keys_dialog() -> ui.dialog:
                             with ui.element("kbd"):
                                 ui.label(key).style("display:inline")
                     _cell(shortcut.meaning)
-        ui.label(
-            "In the box: click a particle to follow it. In a histogram: point at a bar to light up its particles."
-        )
+        ui.label(_POINTING)
         _close(dialog)
     return dialog
 

@@ -38,6 +38,12 @@ def _shipped() -> dict[str, tuple[str, str]]:
     return {name: (scenario.title or name, scenario.hash()) for name, scenario in scenarios.items()}
 
 
+def _is_shipped(name: str, scenario: Scenario) -> bool:
+    title, said = _shipped()[name]
+    # The title is compared first, because hashing a large snapshot takes its time.
+    return scenario.snapshot is None and scenario.title == title and scenario.hash() == said
+
+
 class Header:
     """The bar; on a narrow screen most of its buttons move into a menu."""
 
@@ -105,8 +111,7 @@ class Header:
 
     def show(self, scenario: Scenario) -> None:
         """Name the scenario that is in the box."""
-        said = scenario.hash()
-        name = next((name for name, (_, one) in _shipped().items() if one == said), _EXTERN)
+        name = next((name for name in self._titles if _is_shipped(name, scenario)), _EXTERN)
         self._shown = name
         title = f"{scenario.title or 'untitled'} ({'snapshot' if scenario.snapshot else 'own'})"
         options = self._titles if name != _EXTERN else {**self._titles, _EXTERN: title}

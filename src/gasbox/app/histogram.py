@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 from gasbox.app.bins import BinChoice, curve, expected
 from gasbox.app.ceiling import Ceiling, interval
 from gasbox.app.chart_options import axis_name, bar_rows, changes, curve_rows, initial
-from gasbox.app.sample import Sample
 from gasbox.app.smoothing import Smoothing
 from gasbox.app.wording import whole
-from gasbox.observe import histogram as counted
+from gasbox.observe import Histogram as Counts
 from gasbox.scenario import Species
 
 __all__ = ["Histogram", "Pointed"]
@@ -45,7 +44,8 @@ class Histogram:
         self._smoothing = Smoothing()
         self._pointed = pointed
         options = initial(species.name, str(species.color), choice.quantity)
-        with ui.element("section").classes("card histogram").props(f'aria-label="Histogram of {index + 1}"'):
+        with ui.element("section").classes("card histogram") as card:
+            card.props["aria-label"] = f"Histogram of {species.name}"
             with ui.element("div").classes("title"):
                 ui.element("span").classes("dot").style(f"background:{species.color}")
                 ui.label(species.name).classes("name")
@@ -78,18 +78,10 @@ class Histogram:
         self._smoothing.forget()
         self._ceiling.forget()
 
-    def show(
-        self,
-        sample: Sample,
-        edges: NDArray[np.float64],
-        choice: BinChoice,
-        theory: bool,
-        temperature: float | None,
-    ) -> None:
-        """Bring the chart up to date."""
+    def show(self, seen: Counts, choice: BinChoice, theory: bool, temperature: float | None) -> None:
+        """Bring the chart up to date with what was counted."""
         now = time.monotonic()
-        self.edges = edges
-        seen = counted(sample.state, self.index, edges, choice.quantity)
+        self.edges = seen.edges
         row = self._smoothing.mean(now, np.array([seen.underflow, *seen.counts, seen.overflow]))
         total = round(seen.total)
         wanted = self._wanted(now, row[1:-1], total, choice, theory, temperature)

@@ -6,7 +6,7 @@ import json
 import time
 from pathlib import Path
 
-from nicegui import run, ui
+from nicegui import background_tasks, run, ui
 from nicegui.events import GenericEventArguments
 
 from gasbox.app.bins import BinChoice
@@ -24,6 +24,7 @@ from gasbox.app.shortcuts import SHORTCUTS, action_of
 from gasbox.app.stage import Caption, Stage
 from gasbox.app.transport import Transport
 from gasbox.app.window import SlidingWindow
+from gasbox.observe import Histogram
 
 __all__ = ["BEAT", "Page", "build"]
 
@@ -49,9 +50,10 @@ class Page:
         self._scenario = session.scenario
         self._version = -1
         self._visible = True
+        self._beating = False
         self._dark = ui.dark_mode(None)
         self._keys = keys_dialog()
-        self.files = Files(session, self._loaded)
+        self.files = Files(session, self._redraw)
         self.panel = Panel(session.scenario, self.files.apply)
         self._build_bar()
         self._build_lab()
@@ -102,9 +104,15 @@ class Page:
     # -- what happens --------------------------------------------------------------------------------------------
 
     async def beat(self) -> None:
-        """Bring charts, numbers and controls up to date."""
-        if not self._visible:
-            return
+        """Bring charts, numbers and controls up to date, unless that is being done."""
+        if self._visible and not self._beating:
+            self._beating = True
+            try:
+                await self._update()
+            finally:
+                self._beating = False
+
+    async def _update(self) -> None:
         sample = self.session.sample()
         self.transport.refresh()
         if sample is None:
@@ -114,18 +122,19 @@ class Page:
             self._changed(sample)
         self.transport.show_reached(sample.keeping_up or not sample.playing, sample.speed_reached)
         self.caption.follow(self.session.followed(), sample.scenario)
-        numbers = await self._measure(sample)
-        if numbers is None:
-            return
-        self.readouts.show(numbers, sample)
-        if self._show_charts:
-            self.charts.show(sample, numbers.temperature)
-
-    async def _measure(self, sample: Sample) -> Figures | None:
-        lately = self._window.take(time.monotonic(), sample.version, sample.time, sample.tallies)
         if sample.state.count > _MANY:
-            return await run.io_bound(figures, sample, lately)
-        return figures(sample, lately)
+            measured = await run.io_bound(self._measure, sample)
+        else:
+            measured = self._measure(sample)
+        if measured is not None and sample.version == self._version:
+            numbers, counts = measured
+            self.readouts.show(numbers, sample)
+            self.charts.show(counts, numbers.temperature)
+
+    def _measure(self, sample: Sample) -> tuple[Figures, list[Histogram]]:
+        lately = self._window.take(time.monotonic(), sample.version, sample.time, sample.tallies)
+        numbers = figures(sample, lately)
+        return numbers, self.charts.count(sample, numbers.temperature) if self._show_charts else []
 
     def _changed(self, sample: Sample) -> None:
         """Another gas, or the same one from its start."""
@@ -143,12 +152,9 @@ class Page:
         self.panel.show(sample.scenario)
         self._arrange()
 
-    def _loaded(self) -> None:
-        self._redraw()
-
     def _redraw(self) -> None:
         """Do not wait for the next beat."""
-        ui.timer(0, self.beat, once=True)
+        background_tasks.create(self.beat(), name="redraw")
 
     def _light(self, species: int, low: float, high: float) -> None:
         self.session.highlight(species, low, high, self.charts.choice.quantity)

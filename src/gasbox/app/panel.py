@@ -34,7 +34,7 @@ class Panel:
     ) -> None:
         self._apply = apply
         self._scenario = scenario
-        self._draft = Draft.of(scenario)
+        self._draft: Draft | None = None
         self._fields: dict[str, ui.input] = {}
         self.drawer = ui.right_drawer(value=False, fixed=True, bordered=False)
         self.drawer.props('width=360 breakpoint=1023 aria-label="Edit the gas"').classes("panel").mark(
@@ -57,7 +57,7 @@ class Panel:
                         "grow"
                     ).mark("apply")
                     ui.button("Undo edits", on_click=self.revert, color=None).props("flat").mark("revert")
-        self._build()
+        self.drawer.on_value_change(self._opened)
 
     def toggle(self) -> None:
         """Open or close."""
@@ -66,17 +66,24 @@ class Panel:
     def show(self, scenario: Scenario) -> None:
         """Another gas is in the box: its values replace what was typed."""
         self._scenario = scenario
-        self.revert()
+        self._draft = None
+        if self.drawer.value:
+            self.revert()
+
+    def _opened(self) -> None:
+        if self.drawer.value and self._draft is None:
+            self.revert()
 
     def revert(self) -> None:
         """Back to what is in the box."""
         self._draft = Draft.of(self._scenario)
         self._say([])
-        self._build()
+        self._build(self._draft)
 
     async def apply(self) -> None:
         """Check, and replace the gas if nothing is wrong; otherwise say what is, and keep what was typed."""
-        self._say(await self._apply(self._draft.to_dict()))
+        if self._draft is not None:
+            self._say(await self._apply(self._draft.to_dict()))
 
     def _say(self, problems: list[Problem]) -> None:
         for box in self._fields.values():
@@ -91,20 +98,16 @@ class Panel:
                 if problem.path in self._fields:
                     self._fields[problem.path].error = problem.allowed
 
-    def _build(self) -> None:
+    def _build(self, draft: Draft) -> None:
         self._fields.clear()
         self._body.clear()
         with self._body:
-            for index, species in enumerate(self._draft.species):
-                self._species_form(index, species)
-            add = (
-                ui.button("Add a species", icon="add", on_click=self._add, color=None)
-                .props("flat dense")
-                .mark("add-species")
-            )
-            add.set_enabled(len(self._draft.species) < MOST_CHARTS)
-            self._container_form()
-            self._dynamics_form()
+            for index, species in enumerate(draft.species):
+                self._species_form(index, species, draft)
+            add = ui.button("Add a species", icon="add", on_click=lambda: self._add(draft), color=None)
+            add.props("flat dense").mark("add-species").set_enabled(len(draft.species) < MOST_CHARTS)
+            self._container_form(draft)
+            self._dynamics_form(draft)
 
     def _field(self, path: str, label: str, owner: Any, attribute: str) -> ui.input:
         box = ui.input(label, value=getattr(owner, attribute), on_change=_into(owner, attribute)).mark(path)
@@ -118,16 +121,18 @@ class Panel:
         value, into = getattr(owner, attribute), _into(owner, attribute)
         return ui.select(choices, label=label, value=value, on_change=into).props(_SELECT).mark(path)
 
-    def _species_form(self, index: int, species: SpeciesDraft) -> None:
+    def _species_form(self, index: int, species: SpeciesDraft, draft: Draft) -> None:
         path, name = f"species[{index}]", f"Species {index + 1}"
         with ui.element("div").classes("species-form").props(f'role="group" aria-label="{name}"'):
             with ui.element("div").classes("line"):
                 color = ui.input(value=species.color, on_change=_into(species, "color")).mark(f"{path}.color")
                 color.props(f'type=color dense borderless aria-label="Colour of {name}"').classes("swatch")
                 self._field(f"{path}.name", "name", species, "name").props(remove="inputmode").classes("grow")
-                remove = ui.button(icon="delete_outline", on_click=lambda: self._remove(index), color=None)
+                remove = ui.button(
+                    icon="delete_outline", on_click=lambda: self._remove(draft, index), color=None
+                )
                 remove.props(f'flat round dense aria-label="Remove {name}"').mark(f"{path}.remove")
-                remove.set_enabled(len(self._draft.species) > 1)
+                remove.set_enabled(len(draft.species) > 1)
             with ui.element("div").classes("fields"):
                 for quantity in ("count", "mass", "radius"):
                     self._field(f"{path}.{quantity}", quantity, species, quantity)
@@ -141,8 +146,7 @@ class Panel:
         value.bind_visibility_from(start, "value", lambda start: start != "velocities")
         self._fields[f"{path}.temperature"] = self._fields[f"{path}.speed"] = value
 
-    def _container_form(self) -> None:
-        draft = self._draft
+    def _container_form(self, draft: Draft) -> None:
         with ui.element("h3"):
             ui.label("Container")
         with ui.element("div").classes("fields two"):
@@ -156,8 +160,7 @@ class Panel:
                 )
                 box.props("dense").mark(f"periodic-{axis}")
 
-    def _dynamics_form(self) -> None:
-        draft = self._draft
+    def _dynamics_form(self, draft: Draft) -> None:
         with ui.element("h3"):
             ui.label("Dynamics and chance")
         kind = self._choice("dynamics.kind", "dynamics", _KINDS, draft, "kind")
@@ -171,13 +174,13 @@ class Panel:
     def _roll(self) -> None:
         self._fields["seed"].set_value(str(random.SystemRandom().randrange(1, 1_000_000)))
 
-    def _add(self) -> None:
-        self._draft.add_species()
-        self._build()
+    def _add(self, draft: Draft) -> None:
+        draft.add_species()
+        self._build(draft)
 
-    def _remove(self, index: int) -> None:
-        del self._draft.species[index]
-        self._build()
+    def _remove(self, draft: Draft, index: int) -> None:
+        del draft.species[index]
+        self._build(draft)
 
 
 def _into(owner: Any, attribute: str) -> Callable[[ValueChangeEventArguments[Any]], None]:

@@ -16,10 +16,10 @@ class _Readout:
     """A name, a value, and (where asked for) a line beside it."""
 
     def __init__(self, name: str, hint: str, *, wide: bool = False) -> None:
-        with ui.element("div").classes("readout wide" if wide else "readout").mark(f"readout-{name}") as root:
+        with ui.element("div").classes("readout wide" if wide else "readout") as root:
             root.tooltip(hint)
             ui.label(name).classes("name")
-            self._value = ui.label("–").classes("value number").mark(name)
+            self._value = ui.label("–").classes("value number").mark(name.replace(" ", ""))
             self._beside = ui.label("").classes("beside number") if wide else None
 
     def show(self, value: str, beside: str = "") -> None:

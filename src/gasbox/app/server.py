@@ -19,7 +19,7 @@ from nicegui import ui
 
 from gasbox import jit
 from gasbox.app import protocol
-from gasbox.app.canvas import LabCanvas
+from gasbox.app.page import build
 from gasbox.app.preparation import Preparation
 from gasbox.app.registry import KEEP, Registry
 from gasbox.app.security import Guard, is_loopback
@@ -160,7 +160,7 @@ def _application(scenario: Scenario, registry: Registry) -> FastAPI:
 
     @ui.page("/")
     def page() -> None:
-        _build_page(registry.open(scenario))
+        build(registry.open(scenario))
 
     ui.run_with(
         app,
@@ -177,10 +177,6 @@ async def _sweep(registry: Registry) -> None:
     while True:
         await asyncio.sleep(5.0)
         await asyncio.to_thread(registry.sweep)
-
-
-def _build_page(session: Session) -> None:
-    page.build(session)
 
 
 def _listen(host: str, port: int | None, tell: Callable[[str], None]) -> socket.socket:

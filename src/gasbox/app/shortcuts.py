@@ -9,7 +9,10 @@ __all__ = ["SHORTCUTS", "Shortcut", "action_of"]
 
 @dataclass(frozen=True)
 class Shortcut:
-    """One row of the list of keys: the action, the browser's names of its keys, and how people read them."""
+    """One row of the list of keys: the action, the browser's names of its keys, and how people read them.
+
+    A row without keys is only shown: the box itself listens to them.
+    """
 
     action: str
     keys: tuple[str, ...]
@@ -28,6 +31,7 @@ SHORTCUTS: tuple[Shortcut, ...] = (
     Shortcut("edit", ("e", "E"), ("E",), "edit the gas"),
     Shortcut("theory", ("t", "T"), ("T",), "theory curves on or off"),
     Shortcut("unfollow", ("Escape",), ("Esc",), "stop following a particle"),
+    Shortcut("whole", (), ("0",), "see the whole box again (or double click)"),
     Shortcut("keys", ("?",), ("?",), "this list"),
 )
 """All keys; `page.js` gets the browser's names from here."""

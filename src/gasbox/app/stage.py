@@ -37,7 +37,7 @@ class Caption:
         """What to watch for, and what the scenario is warned of."""
         if self._watch.text != scenario.watch_for:
             self._watch.set_text(scenario.watch_for)
-            self._watch.props(f"title={scenario.watch_for!r}")
+            self._watch.props["title"] = scenario.watch_for
         self.warn(" ".join(warnings))
 
     def warn(self, text: str) -> None:
@@ -65,6 +65,9 @@ class Stage:
     def __init__(self, session: Session, pick: Callable[[int | None], None]) -> None:
         with ui.element("section").classes("card box").props('aria-label="The box with its particles"'):
             self.canvas = LabCanvas(session, on_pick=pick, on_notice=self.hear).classes("canvas").mark("box")
+            self.canvas.props(
+                'role=img aria-label="Particles moving in the box; the numbers below describe them"'
+            )
             with ui.element("div").classes("curtain").props('role="status"').mark("curtain") as self._curtain:
                 self._heading = ui.label("Filling the box …").classes("heading")
                 self._text = ui.label("").classes("text")
