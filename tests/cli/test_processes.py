@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 from command import environment, gasbox, start
@@ -33,7 +34,7 @@ def recording_run(
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_interrupted_runs_end_cleanly(tmp_path: Path, number: signal.Signals) -> None:
+def test_interrupted_runs_end_cleanly(tmp_path: Path, command: Any, number: signal.Signals) -> None:
     path = tmp_path / "a.h5"
     running = recording_run(path, "--json", "--snapshot", str(tmp_path / "s.json"))
     running.send_signal(number)
@@ -46,10 +47,10 @@ def test_interrupted_runs_end_cleanly(tmp_path: Path, number: signal.Signals) ->
     with open_recording(path) as recording:
         assert recording.frames == summary["recorded_frames"] == summary["frames"] + 1
         assert recording.times[-1] == summary["time"]
-    assert gasbox("resume", tmp_path / "s.json", "--frames", 1).returncode == 0
+    assert command("resume", tmp_path / "s.json", "--frames", 1).status == 0
 
 
-def test_a_killed_run_can_be_plotted_and_resumed(tmp_path: Path) -> None:
+def test_a_killed_run_can_be_plotted_and_resumed(tmp_path: Path, command: Any) -> None:
     path = tmp_path / "a.h5"
     # Longer than a second apart, so that there was a flush of more than the first frame.
     running = recording_run(path, growths=3, pause=1.2)
@@ -57,8 +58,8 @@ def test_a_killed_run_can_be_plotted_and_resumed(tmp_path: Path) -> None:
     running.communicate(timeout=60)
     with open_recording(path) as recording:
         assert recording.frames > 1
-    assert gasbox("plot", path, "-o", tmp_path / "a.png").returncode == 0
-    assert gasbox("resume", path, "--frames", 1).returncode == 0
+    assert command("plot", path, "-o", tmp_path / "a.png").status == 0
+    assert command("resume", path, "--frames", 1).status == 0
 
 
 def test_json_is_all_that_stands_on_standard_output() -> None:

@@ -1,11 +1,13 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import h5py
 import pytest
@@ -95,10 +97,11 @@ WRITER = """
 import sys
 from made_up import SCENARIO, frame
 from gasbox.recording import Recorder
-recorder = Recorder(sys.argv[1], SCENARIO, flush_frames=2)
+recorder = Recorder(sys.argv[1], SCENARIO, flush_seconds=1e9)
 for number in range(10**9):
     recorder.write(frame(number, int(sys.argv[2])))
-    if number % 2:
+    if number % 3 == 2:
+        recorder.flush()
         print(number + 1, flush=True)
 """
 
@@ -116,10 +119,24 @@ def test_a_killed_run_leaves_all_that_was_flushed(tmp_path: Path, count: int, de
     writer.stdout.readline()
     time.sleep(delay)
     writer.send_signal(signal.SIGKILL)
-    flushed = int(("2\n" + writer.stdout.read()).split()[-1])
+    flushed = int(("3\n" + writer.stdout.read()).split()[-1])
     writer.stdout.close()
     writer.wait()
     with open_recording(path) as recording:
         assert recording.frames >= flushed
         for index in range(flushed):
             assert same_bits(recording.read(index), frame(index, count))
+
+
+def test_a_disk_that_fills_up_costs_no_frame_that_was_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "x.h5"
+    with pytest.raises(FileError, match="only 1 MiB are left"), Recorder(path, SCENARIO) as recorder:
+        recorder.write(frame(0, 5))
+        monkeypatch.setattr(shutil, "disk_usage", lambda path: SimpleNamespace(free=2**20))
+        recorder.write(frame(1, 5))
+        recorder.flush()
+    with open_recording(path) as recording:
+        assert recording.frames == 1
+        assert same_bits(recording.read(0), frame(0, 5))

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import errno
+import re
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -10,10 +12,12 @@ from typing import Final
 
 from gasbox.errors import FileError
 
-__all__ = ["is_hdf5", "reading", "refuse_foreign", "writing"]
+__all__ = ["is_hdf5", "reading", "refuse_foreign", "refuse_full_disk", "writing"]
 
 _SIGNATURE: Final = b"\x89HDF\r\n\x1a\n"
 
+_SPARE_BYTES: Final = 2**25
+"""What HDF5 may need beside the frames: chunks that are begun, and its own tables."""
 _IN_USE: Final = (errno.EAGAIN, errno.EACCES)
 
 
@@ -22,8 +26,8 @@ def writing(path: Path) -> Iterator[None]:
     """Turns what goes wrong while writing to `path` into a FileError."""
     try:
         yield
-    except OSError as error:
-        raise FileError(f"cannot write the recording {path}: {_reason(error, path)}") from None
+    except (OSError, RuntimeError) as error:
+        raise FileError(f"cannot write the recording {path}: {_reason(error)}") from None
 
 
 @contextmanager
@@ -37,7 +41,7 @@ def reading(path: Path) -> Iterator[None]:
         raise FileError(f"{path} is a folder, not a recording") from None
     except (OSError, KeyError, ValueError, RuntimeError, TypeError, AttributeError) as error:
         if isinstance(error, OSError) and (error.errno is not None or "unable to lock" in str(error)):
-            raise FileError(f"cannot read the recording {path}: {_reason(error, path)}") from None
+            raise FileError(f"cannot read the recording {path}: {_reason(error)}") from None
         raise FileError(f"the recording {path} is damaged or cut short: {error}") from None
 
 
@@ -63,11 +67,29 @@ def refuse_foreign(path: Path) -> None:
         raise FileError(f"{path} exists and is not a recording; choose another name or delete it")
 
 
-def _reason(error: OSError, path: Path) -> str:
-    if error.errno in _IN_USE and "lock" in str(error):
+def refuse_full_disk(path: Path, size: int) -> None:
+    """Stop before the disk is full: HDF5 leaves a damaged file when it cannot write what it began.
+
+    Parameters
+    ----------
+    size : of what is to be written [byte]
+
+    Raises
+    ------
+    FileError
+    """
+    free = shutil.disk_usage(path).free
+    if free < 2 * size + _SPARE_BYTES:
+        left = f"only {free / 2**20:.0f} MiB are left on the disk"
+        raise FileError(f"{path}: {left}, too little to go on recording; what was written before is intact")
+
+
+def _reason(error: OSError | RuntimeError) -> str:
+    text, number = str(error), getattr(error, "errno", None)
+    if number in _IN_USE and "lock" in text:
         return "another program has it open (is it still being written?)"
-    if error.errno == errno.ENOSPC:
-        return "no space is left on the disk"
-    if error.errno in (errno.EACCES, errno.EPERM):
+    if number in (errno.EACCES, errno.EPERM):
         return "permission denied"
-    return str(error)
+    # HDF5 tells a story of several lines, with the system's own words somewhere inside.
+    told = re.search(r"error message = '([^']*)'", text)
+    return told[1] if told else text.partition("\n")[0]

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from gasbox.recording import places
-from gasbox.recording.complaints import refuse_foreign, writing
+from gasbox.recording.complaints import refuse_foreign, refuse_full_disk, writing
 from gasbox.recording.elements import Elements
 from gasbox.recording.header import write_header
 from gasbox.scenario import Scenario
@@ -55,6 +55,7 @@ class Recorder:
         self._flush_seconds = flush_seconds
         self._flush_frames = flush_frames
         self._flushed_at = -math.inf
+        self._failed = False
         self._last_number = -1
         self._roster: State | None = None
         with writing(self.path):
@@ -98,7 +99,8 @@ class Recorder:
             return
         with writing(self.path):
             try:
-                self._flush()
+                if not self._failed:
+                    self._flush()
             finally:
                 self._file.close()
 
@@ -128,6 +130,9 @@ class Recorder:
         )
 
     def _flush(self) -> None:
+        # What fails half-way may damage the file, and what follows would damage it further.
+        self._failed = True
+        refuse_full_disk(self.path, self._rosters.waiting_bytes + self._samples.waiting_bytes)
         if self._rosters.waiting:
             # First and apart, so that a run killed meanwhile leaves no frame without its roster.
             self._rosters.write()
@@ -135,6 +140,7 @@ class Recorder:
         self._samples.write()
         self._file.flush()
         self._flushed_at = time.monotonic()
+        self._failed = False
 
 
 def _is_same_roster(first: State, second: State) -> bool:
