@@ -132,11 +132,13 @@ def test_a_disk_that_fills_up_costs_no_frame_that_was_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "x.h5"
-    with pytest.raises(FileError, match="only 1 MiB are left"), Recorder(path, SCENARIO) as recorder:
-        recorder.write(frame(0, 5))
-        monkeypatch.setattr(shutil, "disk_usage", lambda path: SimpleNamespace(free=2**20))
-        recorder.write(frame(1, 5))
+    recorder = Recorder(path, SCENARIO)
+    recorder.write(frame(0, 5))
+    monkeypatch.setattr(shutil, "disk_usage", lambda path: SimpleNamespace(free=2**20))
+    recorder.write(frame(1, 5))
+    with pytest.raises(FileError, match="only 1 MiB are left"):
         recorder.flush()
+    recorder.close()
     with open_recording(path) as recording:
         assert recording.frames == 1
         assert same_bits(recording.read(0), frame(0, 5))
