@@ -93,9 +93,19 @@ def test_links_lead_somewhere(page: Path) -> None:
 def test_tests_that_are_named_exist(page: Path) -> None:
     files = list((ROOT / "tests").rglob("test_*.py"))
     defined = {name for path in files for name in re.findall(r"def (test_\w+)", path.read_text("utf-8"))}
-    defined |= {path.stem for path in files} | {path.relative_to(ROOT).as_posix() for path in files}
+    defined |= {path.stem for path in files}
+    defined |= {path.relative_to(ROOT).as_posix() for path in (ROOT / "tests").rglob("*.py")}
     named = re.findall(r"`(?:(tests/[\w/]+\.py)(?:::)?)?(test_\w+)?(?:\.py)?`", page.read_text("utf-8"))
     assert [name for pair in named for name in pair if name and name not in defined] == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_files_that_are_named_exist(page: Path) -> None:
+    named = re.findall(
+        r"`((?:src|tests|scripts|docs|[a-z_]+)/[\w./-]*\w\.(?:py|sh|md|json|yml))`", page.read_text("utf-8")
+    )
+    places = (ROOT, ROOT / "src" / "gasbox")
+    assert [name for name in named if not any((place / name).exists() for place in places)] == []
 
 
 def test_table_of_fields() -> None:
