@@ -99,3 +99,25 @@ def test_single_letters_in_kernels_are_explained(repository: Path) -> None:
         if isinstance(name, ast.Name | ast.arg)
     }
     assert {name for name in used if len(name) == 1} - {"_"} <= explained
+
+
+def test_what_is_imported_is_required(repository: Path) -> None:
+    project = tomllib.loads((repository / "pyproject.toml").read_text("utf-8"))["project"]
+    wanted = project["dependencies"] + project["optional-dependencies"]["bench"]
+    required = {re.split(r"[^\w-]", text)[0].lower() for text in wanted}
+    # What NiceGUI and pydantic stand on and hand out, at the versions that they choose.
+    required |= {"fastapi", "starlette", "uvicorn", "pydantic_core"}
+    imported = {
+        name.partition(".")[0]
+        for path in (repository / "src").rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        for name in imported_names(node)
+    }
+    assert imported - set(sys.stdlib_module_names) - {"gasbox"} <= required
+
+
+def imported_names(node: ast.AST) -> list[str]:
+    """The modules that a statement imports."""
+    if isinstance(node, ast.ImportFrom) and node.level == 0:
+        return [str(node.module)]
+    return [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
