@@ -28,6 +28,10 @@ CURRENT, HEAP, EVENTS, TESTS, PREDICTIONS, CROSSINGS, STALES = range(7)
 BUCKETS_PER_TIME, HORIZON = range(2)
 
 
+_SPACINGS = 0.7
+# Width of a cell, in mean distances of the discs of a level; measured: wider cells cost tests, narrower ones crossings.
+
+
 class Tables(NamedTuple):
     """Everything the kernels share. Rows are those of the state (ascending id).
 
@@ -61,7 +65,7 @@ def _grids(
 ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Nested grids: each cell of a coarser level is divided into whole cells of the next finer one."""
     members = np.maximum(np.bincount(level, minlength=largest.size), 1)
-    wanted = np.maximum(2.0 * largest * (1 + 1e-6), np.sqrt(size[0] * size[1] / members))
+    wanted = np.maximum(2.0 * largest * (1 + 1e-6), _SPACINGS * np.sqrt(size[0] * size[1] / members))
     count = largest.size
     levels = np.zeros((count, 7), np.int64)
     sides = np.zeros((count, 2))
