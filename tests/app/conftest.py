@@ -1,65 +1,41 @@
-"""A server in a process of its own, and pages in a real Chromium."""
+"""A simulated user of the page; a server in a process of its own, and pages in a real Chromium."""
 
 from __future__ import annotations
 
-import re
-import subprocess
-import sys
-import threading
-from collections.abc import Callable, Iterator
-from pathlib import Path
+from collections.abc import AsyncIterator, Callable, Iterator
 from typing import Any
 
 import pytest
+from free_flight import FreeFlight, gas
+from lab_server import Server
+from nicegui.testing import user_simulation
 from playwright.sync_api import Browser, Page, sync_playwright
+from simulated_lab import WIDE, Lab
 
 from chromium import ARGUMENTS
+from gasbox.app.page import Page as LabPage
+from gasbox.app.page import build
+from gasbox.app.session import Session
 
 Opened = Callable[..., Page]
 
 
-class Server:
-    """`serve_lab.py`, started and ended by its process id."""
+@pytest.fixture
+async def lab() -> AsyncIterator[Lab]:
+    pages: list[LabPage] = []
+    scenario = gas((300, 200, 100), watch_for="Watch this.", container=WIDE)
 
-    def __init__(self, scenario: str = "three-gases", max_sessions: int = 8) -> None:
-        script = Path(__file__).parent / "serve_lab.py"
-        self.lines: list[str] = []
-        self._process = subprocess.Popen(
-            [sys.executable, str(script), scenario, str(max_sessions)],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-        )
-        self._listening = threading.Event()
-        self.address = ""
-        self._reader = threading.Thread(target=self._read, daemon=True)
-        self._reader.start()
+    def root() -> None:
+        pages.append(build(Session(scenario, unwatched=True, simulate=FreeFlight)))
 
-    def _read(self) -> None:
-        assert self._process.stdout is not None
-        for line in self._process.stdout:
-            self.lines.append(line)
-            found = re.search(r"http://127\.0\.0\.1:\d+/", line)
-            if found:
-                self.address = found[0]
-                self._listening.set()
-        self._listening.set()
-
-    def wait(self) -> Server:
-        self._listening.wait(60)
-        assert self.address, "".join(self.lines)
-        return self
-
-    def close(self) -> None:
-        self._process.terminate()
-        try:
-            self._process.wait(10)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait(10)
-        self._reader.join(5)
-        if self._process.stdout is not None:
-            self._process.stdout.close()
+    async with user_simulation(root=root) as user:
+        await user.open("/")
+        page = pages[-1]
+        page.session.start()
+        one = Lab(user, page)
+        await one.until(lambda: page.session.sample() is not None and one.one("particles").text == "600")
+        yield one
+        page.session.close()
 
 
 @pytest.fixture(scope="session")

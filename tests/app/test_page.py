@@ -1,81 +1,14 @@
-"""The page without a browser: NiceGUI's simulated user, and a gas without an engine."""
+"""The page without a browser: time, histograms and what is said, with NiceGUI's simulated user."""
 
 from __future__ import annotations
 
 import asyncio
-import json
 import math
-from collections.abc import AsyncIterator, Callable
 from typing import Any
 
 import pytest
-from free_flight import FreeFlight, gas
 from nicegui import ui
-from nicegui.elements.upload_files import SmallFileUpload
-from nicegui.testing import User, user_simulation
-
-from gasbox.app.page import Page, build
-from gasbox.app.session import Session
-from gasbox.scenario import load, parse
-
-_WIDE = {"shape": "rectangle", "width": 200, "height": 150, "periodic": ["x", "y"]}
-
-
-class Lab:
-    """A user, the page that they see, and its session."""
-
-    def __init__(self, user: User, page: Page) -> None:
-        self.user = user
-        self.page = page
-        self.session = page.session
-
-    def one(self, marker: str) -> Any:
-        return next(iter(self.user.find(marker=marker).elements))
-
-    def time(self) -> float:
-        sample = self.session.sample()
-        return math.nan if sample is None else sample.time
-
-    def click(self, marker: str) -> None:
-        self.user.find(marker=marker).click()
-
-    async def press(self, key: str) -> None:
-        """As `page.js` tells it."""
-        with self.user:
-            await self.page.press(key)
-
-    async def upload(self, name: str, data: bytes) -> None:
-        with self.user:
-            await self.page.files.upload.handle_uploads([SmallFileUpload(name, "application/json", data)])
-
-    async def until(self, condition: Callable[[], Any], seconds: float = 5.0) -> None:
-        end = asyncio.get_running_loop().time() + seconds
-        while not condition():
-            assert asyncio.get_running_loop().time() < end, "it did not come true"
-            await asyncio.sleep(0.02)
-
-
-@pytest.fixture
-async def lab() -> AsyncIterator[Lab]:
-    pages: list[Page] = []
-    scenario = gas((300, 200, 100), watch_for="Watch this.", container=_WIDE)
-
-    def root() -> None:
-        pages.append(build(Session(scenario, unwatched=True, simulate=FreeFlight)))
-
-    async with user_simulation(root=root) as user:
-        await user.open("/")
-        page = pages[-1]
-        page.session.start()
-        one = Lab(user, page)
-        await one.until(lambda: page.session.sample() is not None and one.one("particles").text == "600")
-        yield one
-        page.session.close()
-
-
-def bars(lab: Lab, species: int) -> list[list[float]]:
-    rows: list[list[float]] = lab.page.charts.histograms[species].chart.options["series"][0]["data"]
-    return rows
+from simulated_lab import Lab, bars
 
 
 async def test_one_histogram_for_each_species_with_all_its_particles(lab: Lab) -> None:
@@ -100,6 +33,7 @@ async def test_play_and_pause(lab: Lab) -> None:
     assert lab.session.playing
     lab.click("play")
     assert not lab.session.playing
+    lab.session.settle()
     time = lab.time()
     await asyncio.sleep(0.2)
     assert lab.time() == time
@@ -145,6 +79,13 @@ async def test_buttons_go_up_and_down_the_ladder_and_stop_at_its_ends(lab: Lab) 
     for _ in range(12):
         lab.click("slower")
     assert lab.session.speed == 0.1
+
+
+async def test_it_is_said_when_the_engine_cannot_keep_up(lab: Lab) -> None:
+    lab.page.transport.show_reached(keeping_up=False, reached=3.21)
+    assert lab.one("behind").text == "can't keep up: reaches 3.21×"
+    lab.page.transport.show_reached(keeping_up=True, reached=10.0)
+    assert lab.one("behind").text == ""
 
 
 async def test_keys(lab: Lab) -> None:
@@ -201,95 +142,6 @@ async def test_smoothing_averages(lab: Lab) -> None:
     lab.one("smoothing").set_value(math.inf)
     await lab.until(lambda: lab.page.charts.window == math.inf)
     assert lab.page.charts.histograms[0]._smoothing.window == math.inf
-
-
-async def test_a_good_file_replaces_the_gas(lab: Lab) -> None:
-    other = gas((50,), title="Another gas", watch_for="And this.")
-    await lab.upload("other.json", other.to_json().encode())
-    await lab.until(lambda: lab.one("particles").text == "50")
-    assert len(lab.page.charts.histograms) == 1
-    await lab.user.should_see("And this.")
-
-
-async def test_a_broken_file_is_explained_and_the_old_gas_goes_on(lab: Lab) -> None:
-    broken = {**gas().to_dict(), "species": [{"name": "x", "mass": -1, "radius": "big", "count": 3}]}
-    version, time = lab.session.version, lab.time()
-    await lab.upload("broken.json", json.dumps(broken).encode())
-    await lab.user.should_see("broken.json can't be used")
-    await lab.user.should_see("species[0].mass")
-    await lab.user.should_see("species[0].radius")
-    assert lab.session.version == version
-    await lab.until(lambda: lab.time() > time)
-
-
-@pytest.mark.parametrize("data", [b"", b"\xff\xfe\x00", b"[" * 100_000, b"\x1f\x8b\x08junk", b'{"a": NaN}'])
-async def test_what_is_no_scenario_at_all_is_explained_too(lab: Lab, data: bytes) -> None:
-    await lab.upload("junk.bin", data)
-    await lab.user.should_see("junk.bin can't be used")
-
-
-async def test_a_shipped_scenario_can_be_chosen(lab: Lab) -> None:
-    lab.one("scenario").set_value("hot-and-cold")
-    await lab.until(lambda: lab.session.scenario.hash() == load("hot-and-cold").hash())
-    await lab.until(lambda: len(lab.page.charts.histograms) == 2)
-    assert lab.one("scenario").value == "hot-and-cold"
-
-
-async def test_scenario_and_snapshot_are_downloaded_as_files_that_can_be_opened(lab: Lab) -> None:
-    for marker in ("save-scenario", "save-snapshot"):
-        lab.click(marker)
-        response = await lab.user.download.next(timeout=5.0)
-        assert parse(response.content).hash() == lab.session.scenario.hash()
-
-
-async def test_panel_applies_what_was_typed(lab: Lab) -> None:
-    lab.page.panel.toggle()
-    lab.one("species[0].count").set_value("7")
-    lab.one("species[2].color").set_value("#123456")
-    lab.one("seed").set_value("4321")
-    lab.click("apply")
-    await lab.until(lambda: lab.session.scenario.seed == 4321)
-    assert [species.count for species in lab.session.scenario.species] == [7, 200, 100]
-    assert lab.session.scenario.species[2].color == "#123456"
-
-
-async def test_panel_says_what_is_wrong_and_loses_nothing(lab: Lab) -> None:
-    lab.page.panel.toggle()
-    version = lab.session.version
-    lab.one("species[1].radius").set_value("-2")
-    lab.one("species[0].mass").set_value("much")
-    lab.one("seed").set_value("4321")
-    lab.click("apply")
-    await lab.until(lambda: lab.one("species[1].radius").error)
-    assert lab.one("species[0].mass").error
-    assert lab.one("species[0].mass").value == "much"
-    assert lab.one("seed").value == "4321"
-    assert lab.session.version == version
-    lab.click("revert")
-    assert lab.one("species[1].radius").value == "1"
-
-
-async def test_species_can_be_added_and_removed(lab: Lab) -> None:
-    lab.page.panel.toggle()
-    lab.click("add-species")
-    lab.click("apply")
-    await lab.until(lambda: len(lab.page.charts.histograms) == 4)
-    lab.click("species[0].remove")
-    lab.click("apply")
-    await lab.until(lambda: len(lab.page.charts.histograms) == 3)
-    assert lab.session.scenario.species[0].name == "kind 1"
-
-
-async def test_dynamics_and_container_can_be_changed(lab: Lab) -> None:
-    lab.page.panel.toggle()
-    lab.one("dynamics.kind").set_value("stepped")
-    lab.one("dynamics.time_step").set_value("0.5")
-    lab.one("periodic-x").set_value(False)
-    lab.one("container.width").set_value("90")
-    lab.click("apply")
-    await lab.until(lambda: lab.session.scenario.dynamics.kind == "stepped")
-    assert lab.session.scenario.container.width == 90
-    assert lab.session.scenario.container.periodic == ("y",)
 
 
 async def test_pointing_at_a_bin_lights_it_up_and_leaving_ends_it(lab: Lab) -> None:

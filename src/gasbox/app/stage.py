@@ -38,7 +38,7 @@ class Caption:
         if self._watch.text != scenario.watch_for:
             self._watch.set_text(scenario.watch_for)
             self._watch.props["title"] = scenario.watch_for
-        self.warn(" ".join(warnings))
+        self.warn(" ".join(f"{warning[:1].upper()}{warning[1:]}." for warning in warnings))
 
     def warn(self, text: str) -> None:
         """Say something that must not be overlooked; nothing hides it again."""
@@ -96,12 +96,9 @@ class Stage:
                 done / total,
             )
         elif kind == "busy":
-            text = str(notice.get("text") or "All places of this lab are taken.")
-            self._draw(
-                "The lab is full",
-                f"{text[:1].upper()}{text[1:]}. Close another tab, or wait a minute.",
-                again=True,
-            )
+            places = int(notice.get("places", 0))
+            taken = "Its only place is taken." if places == 1 else f"All its {places or ''} places are taken."
+            self._draw("The lab is full", f"{taken} Close another tab, or wait a minute.", again=True)
         elif kind == "trouble":
             self._draw("The gas can't go on", str(notice.get("text", "")))
         elif kind == "gone":
