@@ -81,12 +81,13 @@ def install(extras: set[str]) -> None:
 def main(extras: set[str]) -> None:
     """Bring `.venv` up to date, doing only what is missing."""
     present = installed_extras()
-    if not works(venv_python()):
-        make_venv()
-        present = None
-    if present is not None and extras <= present:
+    usable = works(venv_python())
+    if usable and present is not None and extras <= present:
         return
     STAMP.unlink(missing_ok=True)
+    if not usable:
+        make_venv()
+        present = None
     wanted = extras | (present or set())
     install(wanted)
     STAMP.write_text(json.dumps({"digest": digest(), "extras": sorted(wanted)}) + "\n", "utf-8")
