@@ -108,7 +108,7 @@ def most_places(patch: Patch, diameter: float) -> int:
 def _row_height(patch: Patch, rows: int) -> float:
     if patch.periodic_y:
         return patch.height / rows
-    return patch.height / (rows - 1) if rows > 1 else 0.0
+    return patch.height / max(rows - 1, 1)
 
 
 def _with_places(patch: Patch, places: int, diameter: float, turned: bool) -> Iterator[Arrangement]:
@@ -116,7 +116,7 @@ def _with_places(patch: Patch, places: int, diameter: float, turned: bool) -> It
     # Rows closer than a diameter are staggered; of three rows, the outer two are at least a diameter apart.
     most_rows = min(places, 2 * int(patch.height / diameter) + 3)
     rows = np.arange(1, most_rows + 1)
-    height = np.array([patch.height / n if patch.periodic_y else patch.height / max(n - 1, 1) for n in rows])
+    height = patch.height / (rows if patch.periodic_y else np.maximum(rows - 1, 1))
     for fewer, shifted in ((0, False), (0, True), (1, True)):
         columns = -(-(places + fewer * (rows // 2)) // rows)
         pitch, shift, allowed = _spacing(patch, rows, columns, fewer, shifted)

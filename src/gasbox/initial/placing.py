@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from gasbox.errors import Problem, ScenarioError
 from gasbox.geometry import Rectangle
 from gasbox.initial.arrangement import most_places
-from gasbox.initial.insertion import place_and_push, place_at_random
+from gasbox.initial.insertion import alike, insert_at_random, squeeze_in
 from gasbox.initial.lattice import place_on_lattice
 from gasbox.initial.room import Room
 from gasbox.rng import Stream, generator
@@ -20,10 +20,11 @@ from gasbox.scenario import Crowd, Scenario, crowds
 __all__ = ["place"]
 
 _DILUTE: Final = 0.35
-"""Up to this area fraction discs are inserted at random, which is quick there and free of any lattice."""
-_SHRUNKEN: Final = (0.25, 0.15, 0.08)
-"""Area fractions at which shrunken discs are inserted, before they grow and push."""
-_PUSHED_AGAIN: Final = 4
+"""Up to this area fraction discs of one size are inserted at random; above, they start from a lattice."""
+_TRIES_EACH: Final = (12, 3, 0)
+"""Tries of random insertion for each disc, in one attempt after the other; the rest is squeezed in."""
+_FACTORS: Final = (0.7, 0.5, 0.3)
+"""Factors of the radii with which discs are squeezed in, in one attempt after the other."""
 
 
 def place(
@@ -50,7 +51,7 @@ def place(
     count = listed.shape[0]
     for crowd in _islands(crowds(geometry, scenario.species, scenario.particles)):
         discs = count + np.flatnonzero(np.isin(species[turn], crowd.members))
-        if not _place_crowd(room, crowd, discs, random):
+        if not _place_crowd(room, crowd, discs, count, random):
             raise ScenarioError([_refusal(room, crowd, discs)])
     placed = np.empty((species.shape[0], 2))
     placed[turn] = room.position[count:]
@@ -84,22 +85,25 @@ def _islands(found: tuple[Crowd, ...]) -> tuple[Crowd, ...]:
     return found if all(crowd.alone for crowd in found) else found[-1:]
 
 
-def _place_crowd(room: Room, crowd: Crowd, discs: NDArray[np.int64], random: np.random.Generator) -> bool:
-    on_lattice = crowd.alone and np.unique(room.radius[discs]).size == 1
-    if on_lattice and crowd.fraction > _DILUTE:
-        return place_on_lattice(room, discs, random) or _push(room, crowd, discs, random)
-    if crowd.fraction <= _DILUTE and place_at_random(room, discs, random):
+def _place_crowd(
+    room: Room, crowd: Crowd, discs: NDArray[np.int64], fixed: int, random: np.random.Generator
+) -> bool:
+    one_size = crowd.alone and np.unique(room.radius[discs]).size == 1
+    if one_size and crowd.fraction > _DILUTE and place_on_lattice(room, discs, random):
         return True
-    return _push(room, crowd, discs, random) or (on_lattice and place_on_lattice(room, discs, random))
+    for tries_each in _TRIES_EACH:
+        if all(_fill(room, group, tries_each, fixed, random) for group in alike(room, discs)):
+            return True
+        room.leave(discs)
+    return one_size and place_on_lattice(room, discs, random)
 
 
-def _push(room: Room, crowd: Crowd, discs: NDArray[np.int64], random: np.random.Generator) -> bool:
-    for _ in range(_PUSHED_AGAIN):
-        for fraction in _SHRUNKEN:
-            shrunken = min(0.95, math.sqrt(fraction / crowd.fraction))
-            if place_and_push(room, discs, shrunken, random):
-                return True
-    return False
+def _fill(
+    room: Room, discs: NDArray[np.int64], tries_each: int, fixed: int, random: np.random.Generator
+) -> bool:
+    """Place `discs` (m,), which are alike: most at random, the rest squeezed in."""
+    rest = insert_at_random(room, discs, tries_each, random) if tries_each else discs
+    return not rest.size or any(squeeze_in(room, rest, factor, fixed, random) for factor in _FACTORS)
 
 
 def _refusal(room: Room, crowd: Crowd, discs: NDArray[np.int64]) -> Problem:

@@ -62,11 +62,17 @@ class Room:
         self.placed[discs] = True
         enter_all(self.grid, self.position, discs)
 
+    def enter_anew(self, position: NDArray[np.float64], placed: NDArray[np.bool_]) -> None:
+        """Take over positions (n, 2) [length] of all discs that are `placed` (n,)."""
+        self.position[:] = position
+        self.placed[:] = placed
+        self.grid.head.fill(-1)
+        enter_all(self.grid, self.position, np.flatnonzero(placed))
+
     def leave(self, discs: NDArray[np.int64]) -> None:
         """Take `discs` (m,) out again."""
         self.placed[discs] = False
-        self.grid.head.fill(-1)
-        enter_all(self.grid, self.position, np.flatnonzero(self.placed))
+        self.enter_anew(self.position, self.placed)
 
     def patch(self, disc: int) -> Patch:
         """Where the centre of a disc can be."""

@@ -26,14 +26,14 @@ def draw_velocities(scenario: Scenario, species: NDArray[np.int32]) -> NDArray[n
 
     1. Along each periodic direction, where momentum is conserved, the drawn gas has none. One and the same velocity is
        taken off all of its discs, as a change to the frame of its centre of mass does.
-    2. Each species s of more than one disc has the kinetic energy ``K_s = N_s T_s (1 - (p/2) m_s/M)`` in that frame, with
-       M the mass of the drawn gas and p the number of periodic directions. Its velocities are multiplied by one factor.
+    2. Each species s of more than one disc has the kinetic energy ``K_s = N_s T_s (1 - (p/2) m_s/M)`` in that frame,
+       with M the mass of the drawn gas and p the number of periodic directions, by one factor on its velocities.
 
     Without periodic directions ``K_s = N_s T_s``: each species has exactly its temperature, and a gas with one T
     exactly ``T = 2 K/(2N)``. Along a periodic direction a disc of mass m moves against the other discs, and in
     equilibrium carries the share ``(T/2)(1 - m/M)`` of the energy, not T/2. These shares add up to ``(N - 1) T/2``, so
-    that a gas with one T in a periodic box has exactly ``T = 2 K/(2N - 2)``, and no species is hotter than another. (The
-    mean energy of a disc of species s is then ``T (1 - m_s/M)``, which is T up to one part in N.)
+    that a gas with one T in a periodic box has exactly ``T = 2 K/(2N - 2)``, and no species gains or loses on average.
+    (The mean energy of a disc of species s is then ``T (1 - m_s/M)``, which is T up to one part in N.)
 
     Multiplying disturbs 1, taking off disturbs 2; doing both in turn converges quickly, because each correction is
     smaller than the one before by a factor of the order of 1/N. A species of a single disc keeps the speed that it was
