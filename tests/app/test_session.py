@@ -283,10 +283,10 @@ def test_a_second_browser_takes_over(paused: Session) -> None:
     second = open_mailbox(paused)
     assert first.closed
     assert not second.closed
-    paused.detach(first)
-    assert paused.attached
-    paused.detach(second)
-    assert not paused.attached
+    paused.audience.detach(first)
+    assert paused.audience.attached
+    paused.audience.detach(second)
+    assert not paused.audience.attached
 
 
 def test_gas_and_speed_are_handed_over(session: Session) -> None:

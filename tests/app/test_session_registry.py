@@ -64,7 +64,7 @@ def test_a_session_outlives_its_browser_for_a_while(registry: Registry, later: l
     registry.sweep()
     assert registry.find(session.id) is session
     later[0] = 0.0
-    session.detach(mailbox)
+    session.audience.detach(mailbox)
     registry.sweep()
     assert registry.find(session.id) is session
     later[0] = KEEP + 1

@@ -60,7 +60,7 @@ def read_to_the_end(client: ClientConnection) -> int | None:
 
 def wait_for_end(session: Session) -> None:
     end = time.monotonic() + 5
-    while session.attached:
+    while session.audience.attached:
         assert time.monotonic() < end
         time.sleep(0.01)
 
@@ -102,7 +102,7 @@ def test_a_slow_reader_gets_new_frames_and_costs_no_memory(server: FrameServer, 
             time.sleep(0.3)
             ack(client, received)
         assert frame.time > 0.3 * 60 * 0.5  # not the fourth frame of the gas, but a recent one
-        mailbox = session._show.mailbox
+        mailbox = session.audience._mailbox
         assert mailbox is not None
         assert mailbox.dropped > 20
         assert mailbox._sent <= 4 + 2

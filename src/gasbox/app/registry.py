@@ -74,7 +74,7 @@ class Registry:
             previous = self._sessions.get(previous_id)
             if previous is None or previous is heir or heir.started:
                 return False
-            if previous.version == 0 or previous.attached or previous.origin is not heir.origin:
+            if previous.version == 0 or previous.audience.attached or previous.origin is not heir.origin:
                 return False
             self._remove(previous)
         previous.hand_over(heir)
@@ -87,13 +87,17 @@ class Registry:
             with self._lock:
                 sessions = list(self._sessions.values())
             for session in sessions:
-                session.tell(text)
+                session.audience.tell(text)
 
     def sweep(self) -> None:
         """Remove what no browser has held for `KEEP` seconds. Waits for the threads of those."""
         limit = self._clock() - KEEP
         with self._lock:
-            gone = [one for one in self._sessions.values() if not one.attached and one.detached < limit]
+            gone = [
+                one
+                for one in self._sessions.values()
+                if not one.audience.attached and one.audience.detached < limit
+            ]
             for session in gone:
                 self._remove(session)
         for session in gone:

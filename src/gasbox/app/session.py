@@ -8,11 +8,11 @@ from __future__ import annotations
 import math
 import secrets
 import threading
-import time
 from collections.abc import Callable
 from concurrent.futures import CancelledError, Future
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from gasbox.app.audience import Audience
 from gasbox.app.mailbox import Mailbox
 from gasbox.app.pace import SPEED_LIMITS
 from gasbox.app.sample import Bin, Followed, Quantity, Sample
@@ -60,12 +60,12 @@ class Session:
         self.id = secrets.token_urlsafe(16)
         self.origin = scenario
         """What the page showed when it was loaded; `scenario` is what it shows now."""
-        self.detached = time.monotonic()
-        """When the last frame socket was lost, or when this was made."""
+        self.audience = Audience()
+        """The browser that looks."""
         self._scenario = scenario
         self._prepare, self._admit, self._simulate = prepare, admit, simulate
         self._wishes = Wishes()
-        self._show = Show(self._wishes, unwatched)
+        self._show = Show(self._wishes, self.audience, unwatched)
         self._worker: Worker | None = None
         self._lock = threading.Lock()
 
@@ -104,12 +104,7 @@ class Session:
     @property
     def watched(self) -> bool:
         """Whether a browser shows the frames: connected, visible, acks arriving."""
-        return self._show.watched
-
-    @property
-    def attached(self) -> bool:
-        """Whether a frame socket is connected, seen or not."""
-        return self._show.mailbox is not None
+        return self.audience.watching
 
     # -- orders ------------------------------------------------------------------------------------------
 
@@ -163,7 +158,7 @@ class Session:
 
     def reset(self) -> Future[Any]:
         """Back to the start of the same scenario, with the same seed."""
-        return self._order(lambda: self._attempt(lambda: self._simulate(self._scenario)))
+        return self._order(lambda: self._show.attempt(lambda: self._simulate(self._scenario)))
 
     def load(self, scenario: Scenario) -> None:
         """Replace the gas by that of another scenario or snapshot. Waits: call it outside of an event loop.
@@ -215,9 +210,8 @@ class Session:
 
     def clear_highlight(self) -> None:
         """Light up nothing."""
-        if self._wishes.light is not None:
-            self._wishes.light = None
-            self._order(self._show.publish)
+        self._wishes.light = None
+        self._order(self._show.publish)
 
     def follow(self, particle_id: int | None) -> None:
         """Follow one disc, or none; an id that does not exist is none."""
@@ -235,26 +229,12 @@ class Session:
             return None
         return int(sample.state.id[row])
 
-    # -- browsers ----------------------------------------------------------------------------------------
+    # -- browsers and pages ---------------------------------------------------------------------------
 
     def attach(self, mailbox: Mailbox) -> None:
         """Send frames to this mailbox from now on, and no longer to an earlier one."""
-        old, self._show.mailbox = self._show.mailbox, mailbox
-        if old is not None:
-            old.close()
+        self.audience.attach(mailbox)
         self._order(self._show.publish_all)
-
-    def detach(self, mailbox: Mailbox) -> None:
-        """This mailbox is gone."""
-        mailbox.close()
-        if self._show.mailbox is mailbox:
-            self._show.mailbox = None
-            self.detached = time.monotonic()
-
-    def tell(self, text: str) -> None:
-        """Send a text message of the protocol to the browser, if there is one."""
-        if self._show.mailbox is not None:
-            self._show.mailbox.put_text(text)
 
     def wake(self) -> None:
         """Something may have changed about who looks."""
@@ -272,8 +252,7 @@ class Session:
 
     def close(self) -> None:
         """End the thread and let the gas go. Waits for the beat at hand."""
-        if self._show.mailbox is not None:
-            self._show.mailbox.close()
+        self.audience.dismiss()
         if self._worker is not None:
             self._worker.close()
             self._worker.join(5.0)
@@ -296,17 +275,11 @@ class Session:
         if simulation is not None:
             self._show.install(simulation)
         else:
-            self._attempt(self._make_first)
+            self._show.attempt(self._make_first)
 
     def _make_first(self) -> Simulation:
         self._prepare()
         return self._simulate(self._scenario)
-
-    def _attempt(self, make: Callable[[], Simulation]) -> None:
-        try:
-            self._show.install(make())
-        except Exception as error:
-            self._show.fail(error)
 
     def _install(self, simulation: Simulation, scenario: Scenario) -> None:
         self._scenario = scenario

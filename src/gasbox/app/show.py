@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import logging
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from gasbox.app import picture, protocol
-from gasbox.app.mailbox import Mailbox
+from gasbox.app.audience import Audience
 from gasbox.app.motion import Motion
 from gasbox.app.sample import Bin, Followed, Sample
 from gasbox.errors import GasboxError, UsageError
@@ -31,17 +32,17 @@ class Wishes:
 class Show:
     """A gas in motion and its newest copies.
 
-    Other threads may read the attributes (each is replaced as a whole, never changed) and set `mailbox` and
-    `sample_wanted`; all methods belong to the session's thread.
+    Other threads may read the attributes (each is replaced as a whole, never changed) and set `sample_wanted`;
+    all methods belong to the session's thread.
 
     Parameters
     ----------
     wishes : what the page asks for
+    audience : who gets the frames
     unwatched : go on also when no browser looks
     """
 
-    def __init__(self, wishes: Wishes, unwatched: bool) -> None:
-        self.mailbox: Mailbox | None = None
+    def __init__(self, wishes: Wishes, audience: Audience, unwatched: bool) -> None:
         self.sample: Sample | None = None
         self.sample_wanted = False
         self.followed: Followed | None = None
@@ -49,15 +50,10 @@ class Show:
         self.version = 0
         self.running = False
         self._wishes = wishes
+        self._audience = audience
         self._unwatched = unwatched
         self._motion: Motion | None = None
         self._generation = 0
-
-    @property
-    def watched(self) -> bool:
-        """Whether a browser shows the frames: connected, visible, acks arriving."""
-        mailbox = self.mailbox
-        return mailbox is not None and mailbox.is_watched()
 
     @property
     def simulation(self) -> Simulation:
@@ -80,6 +76,13 @@ class Show:
         self.trouble = None
         self.publish_all()
 
+    def attempt(self, make: Callable[[], Simulation]) -> None:
+        """Show the gas that `make` returns, or say why there is none."""
+        try:
+            self.install(make())
+        except Exception as error:
+            self.fail(error)
+
     def let_go(self) -> None:
         """Keep nothing."""
         self._motion = None
@@ -87,7 +90,7 @@ class Show:
     def beat(self) -> float | None:
         """Move on if somebody looks. Returns the seconds until the next beat; None: not before a change."""
         motion = self._motion
-        if motion is None or not self._wishes.playing or not (self._unwatched or self.watched):
+        if motion is None or not self._wishes.playing or not (self._unwatched or self._audience.watching):
             self.running = False
             return None
         if not self.running:
@@ -122,23 +125,21 @@ class Show:
         self.trouble = str(error) or type(error).__name__
         if not isinstance(error, GasboxError):
             logging.getLogger("gasbox").error("the gas cannot go on", exc_info=error)
-        if self.mailbox is not None:
-            self.mailbox.put_text(protocol.notice("trouble", text=self.trouble))
+        self._audience.tell(protocol.notice("trouble", text=self.trouble))
 
     def publish_all(self) -> None:
         """The table and a frame: for a new gas or a new browser."""
         if self._motion is None:
-            if self.trouble is not None and self.mailbox is not None:
-                self.mailbox.put_text(protocol.notice("trouble", text=self.trouble))
+            if self.trouble is not None:
+                self._audience.tell(protocol.notice("trouble", text=self.trouble))
             return
         self._generation += 1
-        if self.mailbox is not None:
-            self.mailbox.put_text(picture.table(self._motion.simulation, self._generation), stale=True)
+        self._audience.tell(picture.table(self._motion.simulation, self._generation), stale=True)
         self.publish()
 
     def publish(self, *, sample: bool = True) -> None:
         """A frame for the browser, and a copy for the charts."""
-        motion, wishes, mailbox = self._motion, self._wishes, self.mailbox
+        motion, wishes = self._motion, self._wishes
         if motion is None:
             return
         simulation = motion.simulation
@@ -146,8 +147,8 @@ class Show:
         if sample:
             self.sample_wanted = False
             self.sample = self._copy(motion)
-        if mailbox is not None and not mailbox.hidden:
-            mailbox.put_frame(
+        if self._audience.wants_frames():
+            self._audience.show(
                 picture.frame(
                     simulation,
                     generation=self._generation,
@@ -159,7 +160,7 @@ class Show:
             )
 
     def _copy(self, motion: Motion) -> Sample:
-        simulation, mailbox = motion.simulation, self.mailbox
+        simulation = motion.simulation
         return Sample(
             version=self.version,
             scenario=simulation.scenario,
@@ -169,7 +170,7 @@ class Show:
             state=simulation.state.copy(),
             tallies=simulation.dynamics.tallies.copy(),
             playing=self._wishes.playing,
-            shown_fps=mailbox.shown_fps() if mailbox is not None else 0.0,
+            shown_fps=self._audience.shown_fps,
             keeping_up=motion.keeping_up,
             speed_reached=motion.speed_reached,
             warnings=tuple(simulation.warnings),

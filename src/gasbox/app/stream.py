@@ -70,7 +70,7 @@ async def _converse(socket: WebSocket, session: Session, greeting: str | None) -
     try:
         await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
     finally:
-        session.detach(mailbox)
+        session.audience.detach(mailbox)
         for task in tasks:
             task.cancel()
         for task in tasks:
