@@ -21,7 +21,7 @@ __all__ = ["place"]
 
 _DILUTE: Final = 0.35
 """Up to this area fraction discs of one size are inserted at random; above, they start from a lattice."""
-_TRIES_EACH: Final = (12, 3, 0)
+_TRIES_EACH: Final = (25, 3, 0)
 """Tries of random insertion for each disc, in one attempt after the other; the rest is squeezed in."""
 _FACTORS: Final = (0.7, 0.5, 0.3)
 """Factors of the radii with which discs are squeezed in, in one attempt after the other."""

@@ -7,6 +7,7 @@ import json
 from typing import Annotated, Any, Final, Literal, TypeVar
 
 from pydantic import Field, ModelWrapValidatorHandler, ValidationError, model_validator
+from pydantic_core import ErrorDetails
 
 from gasbox.errors import Problem, ScenarioError
 from gasbox.scenario.colors import PALETTE
@@ -120,13 +121,22 @@ def _validate(
     try:
         return handler(data), []
     except ValidationError as error:
-        # A section that was taken out as "not available yet" is not missing as well.
         details = error.errors(include_url=False)
         return None, [
-            translate(detail, _KNOWN)
-            for detail in details
-            if not (detail["type"] == "missing" and detail["loc"][0] in absent)
+            translate(detail, _KNOWN) for detail in details if not _follows(detail, details, absent)
         ]
+
+
+def _follows(detail: ErrorDetails, details: list[ErrorDetails], absent: set[str]) -> bool:
+    """Whether an error only follows from another one, which says what is really wrong."""
+    place = detail["loc"]
+    if detail["type"] == "missing":
+        # A section that was taken out as "not available yet" is not missing as well.
+        return place[0] in absent
+    # A list of which no entry is valid counts as empty.
+    return detail["type"] == "too_short" and any(
+        other["loc"] != place and other["loc"][: len(place)] == place for other in details
+    )
 
 
 def _parts(data: dict[str, Any], scenario: Scenario | None, particles: Particles | None) -> Parts:
