@@ -11,6 +11,7 @@ import pytest
 
 import gasbox
 from gasbox import jit
+from gasbox.cli import timetable
 from gasbox.scenario import Scenario, load, parse, schema, shipped
 
 SUMMARY = {
@@ -92,6 +93,20 @@ def test_a_gas_without_walls_or_temperature_has_null_for_them(command: Any) -> N
     printed = summary(command, "run", "lone.json", "--frames", 1)
     assert printed["pressure"] is None
     assert printed["temperature"] is None
+
+
+@pytest.mark.parametrize("dynamics", ["stepped", "event-driven"])
+def test_a_frame_walked_in_pieces_ends_in_the_same_bits(
+    command: Any, dynamics: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    arguments = ("run", "one-gas", "--set", f"dynamics.kind={dynamics}", "--until", 40, "--frame", 10)
+    ends = []
+    for moment in (0.0, 1e9):
+        # The shortest pieces, and the longest.
+        monkeypatch.setattr(timetable, "_LONGEST", moment)
+        assert command(*arguments, "--snapshot", "end.json").status == 0
+        ends.append(Path("end.json").read_bytes())
+    assert ends[0] == ends[1]
 
 
 @pytest.mark.parametrize("every", [None, 0.5, 0.7, 2.5])

@@ -21,7 +21,7 @@ def recording_run(
     path: Path, *arguments: str, growths: int = 1, pause: float = 0.05
 ) -> subprocess.Popen[str]:
     """A run without end whose recording was seen to grow so many times, with a pause [s] between two looks."""
-    running = start("run", "one-gas", "--until", 1e9, "--record", path, *arguments)
+    running = start("run", "one-gas", "--until", "inf", "--record", path, *arguments)
     deadline = time.monotonic() + 120
     size, grown = 0, 0
     while grown < growths:
@@ -31,6 +31,18 @@ def recording_run(
         now = path.stat().st_size if path.exists() else 0
         size, grown = now, grown + (now > size)
     return running
+
+
+@pytest.mark.parametrize("frame", ["1e9", "1"])
+def test_a_run_without_end_can_be_stopped_in_the_middle_of_a_frame(tmp_path: Path, frame: str) -> None:
+    running = recording_run(tmp_path / "a.h5", "--frame", frame, "--json")
+    time.sleep(2)
+    running.send_signal(signal.SIGINT)
+    out, err = running.communicate(timeout=30)
+    assert running.returncode == 130, err
+    summary = json.loads(out)
+    assert summary["time"] > 0
+    assert (summary["frames"] == 0) == (frame == "1e9")
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

@@ -11,7 +11,7 @@ __all__ = ["lab"]
 
 def lab(
     scenario: Annotated[
-        str, typer.Argument(metavar="[SCENARIO]", help="A file, or the name of a shipped scenario.")
+        str, typer.Argument(metavar="SCENARIO", help="A file, or the name of a shipped scenario.")
     ] = "three-gases",
     host: Annotated[
         str, typer.Option("--host", help="Address to listen on; only this machine unless changed.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from types import TracebackType
 
@@ -19,7 +20,7 @@ class Progress:
 
     Parameters
     ----------
-    start, end : of the run [time]
+    start, end : of the run [time]; an infinite end is that of Ctrl-C
     """
 
     def __init__(self, start: float, end: float) -> None:
@@ -36,7 +37,7 @@ class Progress:
             transient=True,
             disable=not console.is_terminal,
         )
-        self._task = self._bar.add_task("run", total=max(end - start, 0.0), time=start)
+        self._task = self._bar.add_task("run", total=end - start if math.isfinite(end) else None, time=start)
 
     def __enter__(self) -> Progress:
         self._bar.start()

@@ -83,4 +83,5 @@ def _frames(simulation: Simulation, until: float | None, frames: int | None, eve
         return math.inf
     if not until >= simulation.time:
         raise UsageError(f"until is {until:g}, but the gas is at time {simulation.time:g} already")
-    return math.ceil((until - simulation.time) / every * (1 - 1e-12))
+    count = (until - simulation.time) / every * (1 - 1e-12)
+    return math.ceil(count) if math.isfinite(count) else math.inf
