@@ -66,7 +66,7 @@ def _heading(text: str) -> None:
 
 
 def _cell(text: str, tag: str = "td", *, code: bool = False) -> None:
-    with ui.element(tag), ui.element("code" if code else "span"):
+    with ui.element(tag).classes("path" if code else ""), ui.element("code" if code else "span"):
         ui.label(text)
 
 

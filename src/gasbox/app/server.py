@@ -166,6 +166,7 @@ def _application(scenario: Scenario, registry: Registry) -> FastAPI:
         app,
         title="gasbox",
         favicon=_ICON,
+        tailwind=False,  # its runtime watches every change of the page; the page has a style sheet of its own
         reconnect_timeout=KEEP,
         show_welcome_message=False,
         dark=None,
