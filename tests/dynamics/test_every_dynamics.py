@@ -90,6 +90,21 @@ def test_looking_never_disturbs(make, geometry):
     assert bits(stopped, first) == expected
 
 
+@boxes
+@pytest.mark.small
+def test_tuning_changes_no_bit(geometry):
+    """Rows sorted after every few events, or never: the same bits."""
+    found = set()
+    for sort_after in (0, 1, 10**9):
+        state = random_gas(7, geometry, RADII, MASSES)
+        dynamics = event_driven(state, geometry)
+        dynamics.sort_after = sort_after
+        dynamics.resync(state)
+        dynamics.advance(state, 3.0)
+        found.add(bits(state, dynamics))
+    assert len(found) == 1
+
+
 @every
 def test_any_number_of_threads(make):
     """The bits don't depend on how many threads numba may use, nor on the process."""

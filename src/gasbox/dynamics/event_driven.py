@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gasbox.errors import DynamicsError
 from gasbox.geometry import Rectangle
@@ -12,7 +13,10 @@ from gasbox.kernels import arguments, event_driven
 from gasbox.kernels.event_driven.tables import (
     CROSSINGS,
     EVENTS,
+    LABEL,
+    NOW,
     PREDICTIONS,
+    SORT_AT,
     STALES,
     T0,
     TESTS,
@@ -51,6 +55,9 @@ class EventDriven:
     memory : the references and the epoch, for going on from a snapshot
     """
 
+    sort_after = 32
+    """Events a particle after which the rows are sorted in space again."""
+
     def __init__(
         self,
         state: State,
@@ -70,82 +77,88 @@ class EventDriven:
             return
         self._epoch_length = float(memory["epoch_length"])
         self._epoch = int(memory["epoch"])
-        self._make_tables(state)
-        flight = self._tables.flight
-        flight[:, X : X + 2] = memory["position"]
-        flight[:, VX : VX + 2] = memory["velocity"]
-        flight[:, T0] = memory["time"]
-        self._rebuild(state.time - self._start)
+        self._refer(state, memory["position"], memory["velocity"], memory["time"])
 
     @property
     def _start(self) -> float:
         return self._epoch * self._epoch_length
 
-    def _make_tables(self, state: State) -> None:
+    def resync(self, state: State) -> None:
+        """Take over `state` as it stands: its positions and velocities become the references."""
+        self._refer(state, state.position, state.velocity, state.time - self._start)
+
+    def _refer(
+        self,
+        state: State,
+        position: NDArray[np.float64],
+        velocity: NDArray[np.float64],
+        time: NDArray[np.float64] | float,
+    ) -> None:
+        """Make new tables from references (n, 2), (n, 2), (n,), for a state at its own time."""
         size = (self._geometry.width, self._geometry.height)
         periodic = (self._geometry.periodic_x, self._geometry.periodic_y)
-        self._tables = event_driven.tables(state.radius, size, periodic)
-        self._rate_guess = self._guess_rate(state)
+        self._tables = event_driven.tables(state.radius, state.mass, state.species, size, periodic)
+        flight = self._tables.flight
+        flight[:, X : X + 2] = position
+        flight[:, VX : VX + 2] = velocity
+        flight[:, T0] = time
+        self._events_before = 0
+        self._rate = self._expected_rate(state)
+        self._rebuild(state.time - self._start)
 
-    def _guess_rate(self, state: State) -> float:
-        """Events per time to expect before any were counted: each disc crosses its own spacing about once."""
+    def _expected_rate(self, state: State) -> float:
+        """Events per time to expect before any were counted: each disc crosses its own spacing about twice."""
         if not state.count:
             return 1.0
         speed = math.sqrt(float((state.velocity**2).sum(axis=1).mean()))
         spacing = math.sqrt(self._geometry.area / state.count)
         return max(2.0 * state.count * speed / spacing, 1.0 / self._epoch_length)
 
-    def resync(self, state: State) -> None:
-        """Take over `state` as it stands: its positions and velocities become the references."""
-        self._make_tables(state)
-        flight = self._tables.flight
-        flight[:, X : X + 2] = state.position
-        flight[:, VX : VX + 2] = state.velocity
-        flight[:, T0] = state.time - self._start
-        self._rebuild(state.time - self._start)
-
     def _rebuild(self, now: float) -> None:
-        event_driven.rebuild(self._tables, self._box, now, self._epoch_length, self._rate_guess)
+        """Sort the rows, then find all events anew: tuning only, it touches no reference and so no bit."""
+        event_driven.sort_rows(self._tables, self._box, now)
+        counter = self._tables.counter
+        counter[SORT_AT] = counter[EVENTS] + max(self.sort_after * self._tables.mass.size, 16)
+        event_driven.rebuild(self._tables, self._box, now, self._epoch_length, self._rate)
 
     def _next_epoch(self) -> None:
-        counter = self._tables.counter
-        events = int(counter[EVENTS]) - self._events_before
+        events = int(self._tables.counter[EVENTS])
         event_driven.shift(self._tables.flight, self._box, self._epoch_length)
         self._epoch += 1
-        self._rate_guess = max(events, 1) / self._epoch_length
-        self._events_before = int(counter[EVENTS])
+        self._rate = max(events - self._events_before, 1) / self._epoch_length
+        self._events_before = events
         self._rebuild(0.0)
-
-    _events_before = 0
 
     def advance(self, state: State, until: float) -> Status:
         """Execute all events up to and including the absolute time `until` [time]."""
-        count = np.array([self.contacts.count], np.int64)
-        book = arguments.ledger(self.tallies, self.contacts, count)
-        public = arguments.gas(state)
-        status = arguments.DONE
-        while status == arguments.DONE:
+        rows = np.array([self.contacts.count], np.int64)
+        book = arguments.ledger(self.tallies, self.contacts, rows, state)
+        while True:
             local = min(until - self._start, self._epoch_length)
-            status = event_driven.advance(self._tables, self._box, public, book, local, self._start)
-            if until - self._start < self._epoch_length:
-                break
-            if status == arguments.DONE:
+            status = event_driven.advance(self._tables, self._box, book, local, self._start)
+            if status == event_driven.SORT:
+                self._rebuild(float(self._tables.number[NOW]))
+            elif status == arguments.DONE and until - self._start >= self._epoch_length:
                 self._next_epoch()
-        self.contacts.count = int(count[0])
+            else:
+                break
+        self.contacts.count = int(rows[0])
         if status == arguments.NO_PROGRESS:
             raise DynamicsError(
-                f"very many collisions at one moment (time {self._start + local:g}): the discs are jammed or touch all around; "
-                "start them a little apart"
+                f"very many collisions at one moment (time {self._start + local:g}): the discs are jammed or touch "
+                "all around; start them a little apart"
             )
         if status == arguments.FULL:
             return Status.FULL
-        event_driven.project(self._tables.flight, self._box, until - self._start, public)
+        flight, link = self._tables.flight, self._tables.link
+        event_driven.project(flight, link, self._box, until - self._start, arguments.gas(state))
         state.time = until
         return Status.DONE
 
     def memory(self) -> Memory:
         """``epoch_length``, ``epoch`` and the references: ``position``, ``velocity``, ``time`` (since its start)."""
-        flight = self._tables.flight
+        flight = np.empty_like(self._tables.flight)
+        flight[self._tables.link[:, LABEL]] = self._tables.flight
         return {
             "epoch_length": self._epoch_length,
             "epoch": self._epoch,

@@ -62,7 +62,7 @@ class Stepped:
     def advance(self, state: State, until: float) -> Status:
         """Take whole steps up to the last one at or before `until` [time]."""
         count = np.array([self.contacts.count], np.int64)
-        book = arguments.ledger(self.tallies, self.contacts, count)
+        book = arguments.ledger(self.tallies, self.contacts, count, state)
         target = self.step_at(until)
         while True:
             status = stepped.advance(

@@ -54,7 +54,7 @@ class Box(NamedTuple):
 
 
 class Ledger(NamedTuple):
-    """Where executed collisions are booked: the arrays of `Tallies` and of `Contacts`, and the rows in use."""
+    """Where executed collisions are booked: the arrays of `Tallies` and of `Contacts`, the rows in use, and all ids."""
 
     pair_virial: NDArray[np.float64]
     pair_collisions: NDArray[np.int64]
@@ -66,6 +66,7 @@ class Ledger(NamedTuple):
     first: NDArray[np.int64]
     second: NDArray[np.int64]
     impulse: NDArray[np.float64]
+    id: NDArray[np.int64]
 
 
 def gas(state: State) -> Gas:
@@ -80,7 +81,7 @@ def box(geometry: Rectangle) -> Box:
     )
 
 
-def ledger(tallies: Tallies, contacts: Contacts, rows: NDArray[np.int64]) -> Ledger:
+def ledger(tallies: Tallies, contacts: Contacts, rows: NDArray[np.int64], state: State) -> Ledger:
     """The ledger over the arrays of `tallies` and `contacts` (no copies); `rows` is (1,), how many are in use."""
     return Ledger(
         tallies.pair_virial,
@@ -93,6 +94,7 @@ def ledger(tallies: Tallies, contacts: Contacts, rows: NDArray[np.int64]) -> Led
         contacts.first,
         contacts.second,
         contacts.impulse,
+        state.id,
     )
 
 
@@ -111,32 +113,32 @@ def _write(book: Ledger, kind: int, time: float, first: int, second: int, jx: fl
 @inlined_kernel
 def book_pair(
     book: Ledger,
-    gas: Gas,
-    i: int,
-    j: int,
+    species_i: int,
+    species_j: int,
+    row_i: int,
+    row_j: int,
     time: float,
     jx: float,
     jy: float,
     virial: float,
 ) -> None:
-    """Book a collision of rows `i` and `j` (id of i below id of j); (jx, jy) is the impulse given to `i`.
+    """Book a collision of two particles (row of i below row of j); (jx, jy) is the impulse given to i.
 
     Precondition: the buffer of contacts has a free row, or a capacity of zero.
     """
-    a, b = gas.species[i], gas.species[j]
     book.pair_virial[0] += virial
-    book.pair_collisions[min(a, b), max(a, b)] += 1
+    book.pair_collisions[min(species_i, species_j), max(species_i, species_j)] += 1
     if book.kind.shape[0] > 0:
-        _write(book, _PAIR, time, gas.id[i], gas.id[j], jx, jy)
+        _write(book, _PAIR, time, book.id[row_i], book.id[row_j], jx, jy)
 
 
 @inlined_kernel
-def book_wall(book: Ledger, gas: Gas, i: int, wall: int, time: float, jx: float, jy: float) -> None:
-    """Book a collision of row `i` with a wall; (jx, jy) is the impulse given to the particle.
+def book_wall(book: Ledger, species: int, row: int, wall: int, time: float, jx: float, jy: float) -> None:
+    """Book a collision with a wall; (jx, jy) is the impulse given to the particle.
 
     Precondition: as for `book_pair`.
     """
-    book.wall_impulse[wall, gas.species[i]] += abs(jx) + abs(jy)
-    book.wall_collisions[wall, gas.species[i]] += 1
+    book.wall_impulse[wall, species] += abs(jx) + abs(jy)
+    book.wall_collisions[wall, species] += 1
     if book.kind.shape[0] > 0:
-        _write(book, _WALL, time, gas.id[i], wall, jx, jy)
+        _write(book, _WALL, time, book.id[row], wall, jx, jy)

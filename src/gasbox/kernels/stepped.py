@@ -183,7 +183,7 @@ def _collide(i: int, j: int, gas: Gas, box: Box, time: float, book: Ledger) -> N
     gas.velocity[i, 1] -= change_i * dy
     gas.velocity[j, 0] += change_j * dx
     gas.velocity[j, 1] += change_j * dy
-    book_pair(book, gas, i, j, time, -impulse * dx, -impulse * dy, virial)
+    book_pair(book, gas.species[i], gas.species[j], i, j, time, -impulse * dx, -impulse * dy, virial)
 
 
 @inlined_kernel
@@ -210,7 +210,7 @@ def _bounce(i: int, wall: int, gas: Gas, time: float, book: Ledger) -> None:
     axis = wall // 2
     given = -2.0 * gas.mass[i] * gas.velocity[i, axis]
     gas.velocity[i, axis] = -gas.velocity[i, axis]
-    book_wall(book, gas, i, wall, time, given if axis == 0 else 0.0, given if axis == 1 else 0.0)
+    book_wall(book, gas.species[i], i, wall, time, given if axis == 0 else 0.0, given if axis == 1 else 0.0)
 
 
 @bare_kernel

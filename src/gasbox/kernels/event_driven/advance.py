@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from gasbox.jit import bare_kernel, inlined_kernel
-from gasbox.kernels.arguments import DONE, FULL, NO_PROGRESS, Box, Gas, Ledger, book_pair, book_wall
+from gasbox.kernels.arguments import DONE, FULL, NO_PROGRESS, Box, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange
 from gasbox.kernels.event_driven.cells import cross, schedule_crossing
 from gasbox.kernels.event_driven.queue import earliest, remove
@@ -15,9 +15,13 @@ from gasbox.kernels.event_driven.search import predict, predict_entered, release
 from gasbox.kernels.event_driven.tables import (
     CROSSINGS,
     EVENTS,
+    LABEL,
     NOBODY,
+    NOW,
     PARTNER,
     RADIUS,
+    SORT_AT,
+    SPECIES,
     STALE,
     STALES,
     T0,
@@ -31,7 +35,10 @@ from gasbox.kernels.event_driven.tables import (
     Y,
 )
 
-__all__ = ["advance"]
+__all__ = ["SORT", "advance"]
+
+SORT = 11
+"""Status: neighbours have drifted apart in memory; sort the rows and rebuild, then call again."""
 
 
 @inlined_kernel
@@ -59,10 +66,8 @@ def _free(tables: Tables, i: int) -> None:
 
 
 @inlined_kernel
-def _collide(
-    tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, j: int, now: float, epoch: float
-) -> None:
-    """Execute the collision of i and j (i < j); if rounding finds them parting already, let them pass."""
+def _collide(tables: Tables, box: Box, book: Ledger, i: int, j: int, now: float, epoch: float) -> None:
+    """Execute the collision of i and j (label of i below that of j); if rounding finds them parting, let them pass."""
     flight = tables.flight
     _refer(tables, box, i, now)
     _refer(tables, box, j, now)
@@ -74,38 +79,48 @@ def _collide(
     dvx, dvy = flight[i, VX] - flight[j, VX], flight[i, VY] - flight[j, VY]
     if dvx * dx + dvy * dy >= 0.0:
         return
-    change_i, change_j, impulse, virial = exchange(dx, dy, dvx, dvy, gas.mass[i], gas.mass[j])
+    change_i, change_j, impulse, virial = exchange(dx, dy, dvx, dvy, tables.mass[i], tables.mass[j])
     flight[i, VX] -= change_i * dx
     flight[i, VY] -= change_i * dy
     flight[j, VX] += change_j * dx
     flight[j, VY] += change_j * dy
-    book_pair(book, gas, i, j, epoch + now, -impulse * dx, -impulse * dy, virial)
+    link = tables.link
+    book_pair(
+        book,
+        link[i, SPECIES],
+        link[j, SPECIES],
+        link[i, LABEL],
+        link[j, LABEL],
+        epoch + now,
+        -impulse * dx,
+        -impulse * dy,
+        virial,
+    )
 
 
 @inlined_kernel
-def _bounce(
-    tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, wall: int, now: float, epoch: float
-) -> None:
+def _bounce(tables: Tables, box: Box, book: Ledger, i: int, wall: int, now: float, epoch: float) -> None:
     """Execute the collision of disc i with a wall, and put it exactly on it."""
     flight = tables.flight
+    species, label = tables.link[i, SPECIES], tables.link[i, LABEL]
     _refer(tables, box, i, now)
     if wall < 2:
         flight[i, X] = flight[i, RADIUS] if wall == 0 else box.width - flight[i, RADIUS]
         flight[i, VX] = -flight[i, VX]
-        book_wall(book, gas, i, wall, epoch + now, 2.0 * gas.mass[i] * flight[i, VX], 0.0)
+        book_wall(book, species, label, wall, epoch + now, 2.0 * tables.mass[i] * flight[i, VX], 0.0)
     else:
         flight[i, Y] = flight[i, RADIUS] if wall == 2 else box.height - flight[i, RADIUS]
         flight[i, VY] = -flight[i, VY]
-        book_wall(book, gas, i, wall, epoch + now, 0.0, 2.0 * gas.mass[i] * flight[i, VY])
+        book_wall(book, species, label, wall, epoch + now, 0.0, 2.0 * tables.mass[i] * flight[i, VY])
 
 
 @inlined_kernel
-def _pair_event(
-    tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, j: int, now: float, epoch: float
-) -> None:
+def _pair_event(tables: Tables, box: Box, book: Ledger, i: int, j: int, now: float, epoch: float) -> None:
     _free(tables, i)
     _free(tables, j)
-    _collide(tables, box, gas, book, min(i, j), max(i, j), now, epoch)
+    if tables.link[j, LABEL] < tables.link[i, LABEL]:
+        i, j = j, i
+    _collide(tables, box, book, i, j, now, epoch)
     schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, i, now)
     schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, j, now)
     predict(tables, box, i, now)
@@ -117,11 +132,9 @@ def _pair_event(
 
 
 @inlined_kernel
-def _wall_event(
-    tables: Tables, box: Box, gas: Gas, book: Ledger, i: int, wall: int, now: float, epoch: float
-) -> None:
+def _wall_event(tables: Tables, box: Box, book: Ledger, i: int, wall: int, now: float, epoch: float) -> None:
     _free(tables, i)
-    _bounce(tables, box, gas, book, i, wall, now, epoch)
+    _bounce(tables, box, book, i, wall, now, epoch)
     schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, i, now)
     predict(tables, box, i, now)
 
@@ -137,7 +150,7 @@ def _cross_event(tables: Tables, box: Box, i: int, now: float) -> None:
 
 
 @bare_kernel
-def advance(tables: Tables, box: Box, gas: Gas, book: Ledger, until: float, epoch: float) -> int:
+def advance(tables: Tables, box: Box, book: Ledger, until: float, epoch: float) -> int:
     """Execute all events up to and including the time `until`.
 
     Parameters
@@ -147,7 +160,8 @@ def advance(tables: Tables, box: Box, gas: Gas, book: Ledger, until: float, epoc
 
     Returns
     -------
-    DONE, FULL (read the contacts, call again) or NO_PROGRESS (very many events at one moment).
+    DONE, FULL (read the contacts, call again), SORT (sort the rows, rebuild, call again) or NO_PROGRESS (very many
+    events at one moment).
     """
     flight, link, counter = tables.flight, tables.link, tables.counter
     limited = book.kind.shape[0] > 0
@@ -167,7 +181,8 @@ def advance(tables: Tables, box: Box, gas: Gas, book: Ledger, until: float, epoc
             idle += 1
             if idle > patience:
                 return NO_PROGRESS
-        counter[EVENTS] += 1
+        if counter[EVENTS] >= counter[SORT_AT]:
+            return SORT
         if crossing <= event:
             _cross_event(tables, box, i, now)
         elif partner == STALE:
@@ -177,6 +192,8 @@ def advance(tables: Tables, box: Box, gas: Gas, book: Ledger, until: float, epoc
         elif limited and book.rows[0] >= book.kind.shape[0]:
             return FULL
         elif partner >= 0:
-            _pair_event(tables, box, gas, book, i, partner, now, epoch)
+            _pair_event(tables, box, book, i, partner, now, epoch)
         else:
-            _wall_event(tables, box, gas, book, i, WALL - partner, now, epoch)
+            _wall_event(tables, box, book, i, WALL - partner, now, epoch)
+        counter[EVENTS] += 1
+        tables.number[NOW] = now

@@ -18,6 +18,7 @@ from gasbox.kernels.event_driven.tables import (
     CURRENT,
     HEAP,
     HORIZON,
+    LABEL,
     LATER,
     NOWHERE,
     PARTNER,
@@ -29,24 +30,34 @@ from gasbox.kernels.event_driven.tables import (
     T_EVENT,
 )
 
-__all__ = ["earliest", "insert", "remove", "rise"]
+__all__ = ["earliest", "insert", "pair_before", "remove", "rise"]
 
 _Flight = NDArray[np.float64]
 _Ints = NDArray[np.int32]
 
 
 @inlined_kernel
+def pair_before(link: _Ints, i: int, j: int, k: int, other: int) -> bool:
+    """Whether the pair (i, j) ranks before the pair (k, other) at the same time: by lower, then higher label."""
+    a, b = link[i, LABEL], link[j, LABEL]
+    c, d = link[k, LABEL], link[other, LABEL]
+    low, low_other = min(a, b), min(c, d)
+    return low < low_other or (low == low_other and max(a, b) < max(c, d))
+
+
+@inlined_kernel
 def _key(flight: _Flight, link: _Ints, i: int) -> tuple[float, int, int, int]:
     """Order of events: time; then what only finds events, pairs, walls; then ids."""
     event, crossing = flight[i, T_EVENT], flight[i, T_CROSS]
-    partner = link[i, PARTNER]
+    partner, label = link[i, PARTNER], link[i, LABEL]
     if crossing <= event:
-        return crossing, 0, i, 0
+        return crossing, 0, label, 0
     if partner >= 0:
-        return event, 1, min(i, partner), max(i, partner)
+        other = link[partner, LABEL]
+        return event, 1, min(label, other), max(label, other)
     if partner == STALE:
-        return event, 0, i, 0
-    return event, 2, i, -partner
+        return event, 0, label, 0
+    return event, 2, label, -partner
 
 
 @inlined_kernel

@@ -19,8 +19,10 @@ from gasbox.kernels.event_driven.tables import (
     FIRST,
     HEAP,
     HORIZON,
+    LABEL,
     LEVEL,
     NOBODY,
+    NOW,
     NOWHERE,
     PARTNER,
     PLACE,
@@ -47,15 +49,16 @@ def _fold(coordinate: float, length: float, periodic: bool) -> float:
 
 
 @bare_kernel
-def project(flight: NDArray[np.float64], box: Box, now: float, gas: Gas) -> None:
+def project(flight: NDArray[np.float64], link: NDArray[np.int32], box: Box, now: float, gas: Gas) -> None:
     """Write positions and velocities at time `now` (since the start of the epoch) into the public arrays."""
     position, velocity = gas.position, gas.velocity
     for i in range(flight.shape[0]):
         elapsed = now - flight[i, T0]
-        position[i, 0] = _fold(flight[i, X] + flight[i, VX] * elapsed, box.width, box.periodic_x)
-        position[i, 1] = _fold(flight[i, Y] + flight[i, VY] * elapsed, box.height, box.periodic_y)
-        velocity[i, 0] = flight[i, VX]
-        velocity[i, 1] = flight[i, VY]
+        row = link[i, LABEL]
+        position[row, 0] = _fold(flight[i, X] + flight[i, VX] * elapsed, box.width, box.periodic_x)
+        position[row, 1] = _fold(flight[i, Y] + flight[i, VY] * elapsed, box.height, box.periodic_y)
+        velocity[row, 0] = flight[i, VX]
+        velocity[row, 1] = flight[i, VY]
 
 
 @bare_kernel
@@ -83,6 +86,7 @@ def rebuild(tables: Tables, box: Box, now: float, horizon: float, rate: float) -
     tables.ring[:] = -1
     tables.counter[HEAP] = 0
     tables.number[HORIZON] = horizon
+    tables.number[NOW] = now
     tables.number[BUCKETS_PER_TIME] = rate
     tables.counter[CURRENT] = int(now * rate)
     for i in range(flight.shape[0]):

@@ -14,18 +14,19 @@ __all__ = ["Tables", "tables"]
 # Columns of `flight`, one row of 64 bytes a particle.
 X, Y, VX, VY, T0, RADIUS, T_EVENT, T_CROSS = range(8)
 # Columns of `link`, int32: neighbours in the list of the cell, the cell, the level, the partner of the next event,
-# neighbours in the bucket, the place in the queue.
-NEXT, PREV, CELL, LEVEL, PARTNER, Q_NEXT, Q_PREV, PLACE = range(8)
+# neighbours in the bucket, the place in the queue; the row of the state, and the species.
+NEXT, PREV, CELL, LEVEL, PARTNER, Q_NEXT, Q_PREV, PLACE, LABEL, SPECIES = range(10)
 # Values of PARTNER below zero; wall w is WALL - w.
 NOBODY, STALE, WALL = -1, -2, -3
 # Values of PLACE below zero; bucket b of the ring is b, position p of the heap is p plus the size of the ring.
 NOWHERE, LATER = -1, -2
 # Columns of `levels`: columns, rows, first cell, images aside of a pair (x, y), finest cells per cell (x, y).
 COLUMNS, ROWS, FIRST, IMAGES_X, IMAGES_Y, FACTOR_X, FACTOR_Y = range(7)
-# Entries of `counter`: current bucket, size of the heap, events, pair tests, predictions, crossings, stale events.
-CURRENT, HEAP, EVENTS, TESTS, PREDICTIONS, CROSSINGS, STALES = range(7)
-# Entries of `number`: buckets per time, end of the epoch.
-BUCKETS_PER_TIME, HORIZON = range(2)
+# Entries of `counter`: current bucket, size of the heap, events, pair tests, predictions, crossings, stale events; the
+# number of events at which the rows want sorting.
+CURRENT, HEAP, EVENTS, TESTS, PREDICTIONS, CROSSINGS, STALES, SORT_AT = range(8)
+# Entries of `number`: buckets per time, end of the epoch, time of the last event.
+BUCKETS_PER_TIME, HORIZON, NOW = range(3)
 
 
 _SPACINGS = 0.7
@@ -33,21 +34,24 @@ _SPACINGS = 0.7
 
 
 class Tables(NamedTuple):
-    """Everything the kernels share. Rows are those of the state (ascending id).
+    """Everything the kernels share. Rows are in an order of their own, in which neighbours are near in memory; the
+    column LABEL says which row of the state a particle is. Ties are broken by label, so the order touches no bit.
 
     Attributes
     ----------
     flight : (n, 8) float64: reference position, velocity and time, radius, times of the next event and cell crossing
-    link : (n, 8) int32, see the columns above
+    link : (n, 10) int32, see the columns above
+    mass : (n,) float64 [mass]
     head : (cells,) int32, first particle of each cell, -1 if empty
     ring : (buckets,) int32, first particle of each bucket of the calendar
     heap : (n,) int32, the particles whose events lie in the current bucket
     levels : (levels, 7) int64 and sides : (levels, 2) float64 [length], the grids, finest first
-    counter : (7,) int64; number : (2,) float64
+    counter : (8,) int64; number : (3,) float64
     """
 
     flight: NDArray[np.float64]
     link: NDArray[np.int32]
+    mass: NDArray[np.float64]
     head: NDArray[np.int32]
     ring: NDArray[np.int32]
     heap: NDArray[np.int32]
@@ -85,26 +89,34 @@ def _grids(
 
 
 def tables(
-    radius: NDArray[np.float64], size: tuple[float, float], periodic: tuple[bool, bool], ratio: float = 2.0
+    radius: NDArray[np.float64],
+    mass: NDArray[np.float64],
+    species: NDArray[np.int32],
+    size: tuple[float, float],
+    periodic: tuple[bool, bool],
+    ratio: float = 2.0,
 ) -> Tables:
-    """Empty tables for discs of these radii (n,) [length] in a rectangle of this size [length]."""
+    """Empty tables for discs of these radii, masses and species (n,) in a rectangle of this size [length]."""
     n = radius.shape[0]
     level, largest = classes(radius, ratio)
     levels, sides = _grids(level, largest, size, periodic)
     cells = int((levels[:, COLUMNS] * levels[:, ROWS]).sum())
     flight = np.zeros((n, 8))
     flight[:, RADIUS] = radius
-    link = np.full((n, 8), -1, np.int32)
+    link = np.full((n, 10), -1, np.int32)
     link[:, LEVEL] = level
+    link[:, LABEL] = np.arange(n)
+    link[:, SPECIES] = species
     buckets = 1 << max(4, int(2 * n - 1).bit_length())
     return Tables(
         flight,
         link,
+        mass.copy(),
         np.full(cells, -1, np.int32),
         np.full(buckets, -1, np.int32),
         np.zeros(n, np.int32),
         levels,
         sides,
-        np.zeros(7, np.int64),
-        np.ones(2),
+        np.zeros(8, np.int64),
+        np.ones(3),
     )

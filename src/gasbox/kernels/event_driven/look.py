@@ -1,0 +1,221 @@
+"""Look for the earliest meeting of a particle with the discs around it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import bare_kernel, inlined_kernel
+from gasbox.kernels.arguments import Box
+from gasbox.kernels.event_driven.flight import meeting_time
+from gasbox.kernels.event_driven.queue import pair_before
+from gasbox.kernels.event_driven.tables import (
+    CELL,
+    COLUMNS,
+    FACTOR_X,
+    FACTOR_Y,
+    FIRST,
+    IMAGES_X,
+    IMAGES_Y,
+    LEVEL,
+    NEXT,
+    PARTNER,
+    RADIUS,
+    ROWS,
+    STALE,
+    T0,
+    T_EVENT,
+    TESTS,
+    VX,
+    VY,
+    WALL,
+    Tables,
+    X,
+    Y,
+)
+from gasbox.kernels.grid import span
+
+__all__ = ["survey"]
+
+
+@inlined_kernel
+def _precedes(
+    flight: NDArray[np.float64], link: NDArray[np.int32], time: float, i: int, j: int, k: int
+) -> bool:
+    """Whether a meeting of i and j at `time` comes before the event that particle k holds."""
+    held = flight[k, T_EVENT]
+    if time != held:
+        return time < held
+    partner = link[k, PARTNER]
+    if partner >= 0:
+        return pair_before(link, i, j, k, partner)
+    return partner != STALE
+
+
+@bare_kernel
+def _over_images(
+    dx: float,
+    dy: float,
+    dvx: float,
+    dvy: float,
+    sigma: float,
+    start: float,
+    box: Box,
+    images_x: int,
+    images_y: int,
+) -> float:
+    """Earliest meeting over the images around the nearest one, in a box of few cells."""
+    best = math.inf
+    for image_y in range(-images_y, images_y + 1):
+        for image_x in range(-images_x, images_x + 1):
+            x, y = dx + image_x * box.width, dy + image_y * box.height
+            best = min(best, meeting_time(x, y, dvx, dvy, sigma, start))
+    return best
+
+
+@inlined_kernel
+def _preferred(link: NDArray[np.int32], time: float, i: int, j: int, best: float, who: int) -> bool:
+    """Whether the meeting of i and j comes before what was found for i so far."""
+    if time != best:
+        return time < best
+    if who >= 0:
+        return pair_before(link, i, j, i, who)
+    return who <= WALL
+
+
+@inlined_kernel
+def _look(
+    flight: NDArray[np.float64],
+    link: NDArray[np.int32],
+    head: NDArray[np.int32],
+    counter: NDArray[np.int64],
+    box: Box,
+    i: int,
+    now: float,
+    grid: tuple[int, int, int, int, int],
+    block: tuple[int, int, int, int],
+    best: float,
+    who: int,
+) -> tuple[float, int]:
+    """The earliest meeting of i with the discs in a block of cells, if it precedes (best, who).
+
+    grid : columns, rows, first cell of the level looked at; how many images aside to try in x, y
+    block : first and last column, first and last row; may reach beyond the box by one cell where it is periodic
+    """
+    columns, rows, first, images_x, images_y = grid
+    left, right, below, above = block
+    x, y, vx, vy = flight[i, X], flight[i, Y], flight[i, VX], flight[i, VY]
+    t_i, radius = flight[i, T0], flight[i, RADIUS]
+    across = 1.0 / box.width if box.periodic_x else 0.0
+    along = 1.0 / box.height if box.periodic_y else 0.0
+    tests = 0
+    for row in range(below, above + 1):
+        base = first + (row + rows if row < 0 else row - rows if row >= rows else row) * columns
+        for column in range(left, right + 1):
+            inside = column + columns if column < 0 else column - columns if column >= columns else column
+            j = head[base + inside]
+            while j >= 0:
+                after = link[j, NEXT]
+                tests += 1
+                t_j = flight[j, T0]
+                start = max(t_i, t_j)
+                dvx, dvy = vx - flight[j, VX], vy - flight[j, VY]
+                dx = (x + vx * (start - t_i)) - (flight[j, X] + flight[j, VX] * (start - t_j))
+                dy = (y + vy * (start - t_i)) - (flight[j, Y] + flight[j, VY] * (start - t_j))
+                dx -= np.rint((dx + dvx * (now - start)) * across) * box.width
+                dy -= np.rint((dy + dvy * (now - start)) * along) * box.height
+                sigma = radius + flight[j, RADIUS]
+                held = flight[j, T_EVENT]
+                if images_x + images_y == 0:
+                    b = dx * dvx + dy * dvy
+                    c = dx * dx + dy * dy - sigma * sigma
+                    # Even head-on they could not meet before c/(-2 b): too late?
+                    if b >= 0.0 or c > (min(best, held) - start) * -2.0000000001 * b:
+                        j = after
+                        continue
+                    time = meeting_time(dx, dy, dvx, dvy, sigma, start)
+                elif j == i:
+                    time = math.inf
+                else:
+                    time = _over_images(dx, dy, dvx, dvy, sigma, start, box, images_x, images_y)
+                if (
+                    time <= best
+                    and time <= held
+                    and time < math.inf
+                    and _preferred(link, time, i, j, best, who)
+                    and _precedes(flight, link, time, i, j, j)
+                ):
+                    best, who = time, j
+                j = after
+    counter[TESTS] += tests
+    return best, who
+
+
+@inlined_kernel
+def _entered(
+    step: int, old: int, cell: int, cells: int, periodic: bool, low: int, high: int
+) -> tuple[int, int]:
+    """Of the offsets low..high those that a crossing by `step` from cell `old` has brought near (all if no step)."""
+    if step == 0 or (cells == 1 and periodic):
+        return low, high
+    if old != cell and (periodic or low <= step <= high):
+        return step, step
+    return 1, 0
+
+
+@inlined_kernel
+def survey(
+    tables: Tables,
+    box: Box,
+    i: int,
+    now: float,
+    step_x: int,
+    step_y: int,
+    best: float,
+    who: int,
+) -> tuple[float, int]:
+    """Look through all levels around particle i, or (step not zero) through what a crossing has brought near."""
+    flight, link, head, levels, counter = (
+        tables.flight,
+        tables.link,
+        tables.head,
+        tables.levels,
+        tables.counter,
+    )
+    own = link[i, LEVEL]
+    local = link[i, CELL] - levels[own, FIRST]
+    column, row = local % levels[own, COLUMNS], local // levels[own, COLUMNS]
+    for level in range(levels.shape[0]):
+        coarse = max(own, level)
+        fx = levels[coarse, FACTOR_X] // levels[own, FACTOR_X]
+        fy = levels[coarse, FACTOR_Y] // levels[own, FACTOR_Y]
+        cx, cy = column // fx, row // fy
+        columns, rows = levels[coarse, COLUMNS], levels[coarse, ROWS]
+        left, right = span(cx, columns, box.periodic_x)
+        below, above = span(cy, rows, box.periodic_y)
+        old_x = (column - step_x + levels[own, COLUMNS]) % levels[own, COLUMNS] // fx
+        old_y = (row - step_y + levels[own, ROWS]) % levels[own, ROWS] // fy
+        left, right = _entered(step_x, old_x, cx, columns, box.periodic_x, left, right)
+        below, above = _entered(step_y, old_y, cy, rows, box.periodic_y, below, above)
+        grid = (
+            levels[level, COLUMNS],
+            levels[level, ROWS],
+            levels[level, FIRST],
+            levels[coarse, IMAGES_X],
+            levels[coarse, IMAGES_Y],
+        )
+        if level >= own:
+            block = (cx + left, cx + right, cy + below, cy + above)
+            best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
+        else:
+            gx = levels[own, FACTOR_X] // levels[level, FACTOR_X]
+            gy = levels[own, FACTOR_Y] // levels[level, FACTOR_Y]
+            for block_y in range(cy + below, cy + above + 1):
+                for block_x in range(cx + left, cx + right + 1):
+                    at_x = (block_x + columns) % columns * gx
+                    at_y = (block_y + rows) % rows * gy
+                    block = (at_x, at_x + gx - 1, at_y, at_y + gy - 1)
+                    best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
+    return best, who
