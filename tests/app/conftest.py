@@ -1,4 +1,4 @@
-"""A simulated user of the page; a server in a process of its own, and pages in a real Chromium."""
+"""Sessions; a simulated user of the page; a server in a process of its own, and pages in a real Chromium."""
 
 from __future__ import annotations
 
@@ -18,6 +18,21 @@ from gasbox.app.page import build
 from gasbox.app.session import Session
 
 Opened = Callable[..., Page]
+
+
+@pytest.fixture
+def session() -> Iterator[Session]:
+    one = Session(gas(), unwatched=True, simulate=FreeFlight)
+    yield one
+    one.close()
+
+
+@pytest.fixture
+def paused(session: Session) -> Session:
+    session.pause()
+    session.start()
+    session.settle()
+    return session
 
 
 @pytest.fixture

@@ -2,26 +2,17 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
-import matplotlib.image
 import numpy as np
 import pytest
+from drawn_box import BLUE, BOTH, DARK_BOX, GREEN, LIGHT_BOX, RED, area, boxes
 from frame_server import FrameServer, running
 from free_flight import gas
-from numpy.typing import NDArray
-from playwright.sync_api import Browser, Page
-
-from gasbox.app.session import Session
+from playwright.sync_api import Browser
 
 pytestmark = pytest.mark.browser
-
-BOTH = pytest.mark.parametrize("renderer", ["cpu", "gl"])
-RED, GREEN, BLUE = (255, 0, 0), (0, 160, 0), (0, 0, 255)
-LIGHT_BOX, DARK_BOX = (255, 255, 255), (18, 22, 29)
 
 
 @pytest.fixture(scope="module")
@@ -30,80 +21,10 @@ def server() -> Iterator[FrameServer]:
         yield one
 
 
-@dataclass
-class Box:
-    """A page with a box of 60 x 40, in which listed discs stand still."""
-
-    page: Page
-    session: Session
-    ratio: float
-
-    def screenshot(self) -> NDArray[np.int_]:
-        """(height, width, 3) device pixels, 0 to 255."""
-        png = self.page.locator("#box").screenshot()
-        return np.round(matplotlib.image.imread(io.BytesIO(png))[:, :, :3] * 255).astype(int)
-
-    def place(self, x: float, y: float) -> tuple[float, float]:
-        """Device pixels of a point of the box."""
-        view = self.page.evaluate("(({ scale, originX, originY }) => [scale, originX, originY])(lab.view)")
-        return view[1] + x * view[0], view[2] - y * view[0]
-
-    def color_at(self, x: float, y: float) -> tuple[int, ...]:
-        px, py = self.place(x, y)
-        return tuple(self.screenshot()[int(py), int(px)].tolist())
-
-    def scale(self) -> float:
-        return float(self.page.evaluate("lab.view.scale"))
-
-    def wait(self, condition: str) -> None:
-        self.page.wait_for_function(condition, timeout=10_000)
-
-    def redrawn(self) -> None:
-        """Wait for a frame that is drawn from now on."""
-        self.session.settle()
-        drawn = self.page.evaluate("gasboxStats.drawn")
-        self.session.step().result(5)
-        self.wait(f"gasboxStats.drawn > {drawn}")
-
-
 @pytest.fixture
 def open_box(browser: Browser, server: FrameServer) -> Iterator[Any]:
-    contexts = []
-
-    def opened(
-        renderer: str, discs: list[tuple[int, float, float]], ratio: float = 1.0, **settings: Any
-    ) -> Box:
-        listed = [{"species": f"kind {kind}", "position": [x, y], "velocity": [0, 0]} for kind, x, y in discs]
-        scenario = gas((0, 0, 0), particles=listed, **settings)
-        session = server.registry.open(scenario)
-        session.pause()
-        session.start()
-        session.settle()
-        state = session._show.simulation.state
-        assert state.count == len(discs)
-        context = browser.new_context(
-            viewport={"width": 640, "height": 480}, device_scale_factor=ratio, color_scheme="light"
-        )
-        contexts.append(context)
-        page = context.new_page()
-        page.goto(server.page(session, f"?renderer={renderer}"))
-        box = Box(page, session, ratio)
-        box.wait("window.gasboxStats?.drawn > 0")
-        assert page.evaluate("gasboxStats.renderer") == renderer
-        return box
-
-    yield opened
-    for context in contexts:
-        context.close()
-    server.registry.close()
-
-
-def area(image: NDArray[np.int_], color: tuple[int, int, int], ground: tuple[int, int, int]) -> float:
-    """Pixels that are covered by this colour, with the partly covered ones at the edge."""
-    span = np.array(color) - np.array(ground)
-    share = ((image - np.array(ground)) @ span) / (span @ span)
-    on_line = np.abs(image - np.array(ground) - share[..., None] * span).max(axis=2) < 6
-    return float(np.where(on_line, share, 0).clip(0, 1).sum())
+    with boxes(browser, server) as opened:
+        yield opened
 
 
 @BOTH
@@ -213,61 +134,6 @@ def test_a_followed_disc_has_a_ring_and_a_trail(open_box: Any, renderer: str) ->
     assert x == pytest.approx(20.0)
     assert sum(box.color_at(x - 4.0, 20)) < 600
     assert box.color_at(x, 20) == RED
-
-
-@BOTH
-def test_zoom_keeps_radii_true_and_resets(open_box: Any, renderer: str) -> None:
-    box = open_box(renderer, [(2, 30.0, 20.0)])
-    whole = box.scale()
-    px, py = box.place(30, 20)
-    box.page.mouse.move(px, py)
-    box.page.mouse.wheel(0, -900)
-    box.wait(f"lab.view.scale > {2 * whole}")
-    box.page.wait_for_timeout(100)
-    assert box.place(30, 20) == pytest.approx((px, py), abs=0.5)
-    radius = 1.5 * box.scale()
-    assert area(box.screenshot(), BLUE, LIGHT_BOX) == pytest.approx(np.pi * radius**2, rel=0.02)
-    box.page.keyboard.press("0")
-    box.wait(f"Math.abs(lab.view.scale - {whole}) < 1e-9")
-
-
-def test_drag_moves_the_zoomed_box(open_box: Any) -> None:
-    box = open_box("cpu", [(2, 30.0, 20.0)])
-    px, py = box.place(30, 20)
-    box.page.mouse.move(px, py)
-    box.page.mouse.wheel(0, -900)
-    box.page.mouse.down()
-    box.page.mouse.move(px + 40, py + 25, steps=4)
-    box.page.mouse.up()
-    assert box.place(30, 20) == pytest.approx((px + 40, py + 25), abs=1)
-    assert box.page.evaluate("picked") == []
-    box.page.mouse.dblclick(px, py)
-    assert box.page.evaluate("lab.view.zoom") == 1
-
-
-def test_a_click_picks_a_disc_or_none(open_box: Any) -> None:
-    box = open_box("cpu", [(0, 10.0, 20.0), (2, 30.0, 20.0)])
-    for x, y in [(10.0, 20.2), (31.0, 20.5), (45.0, 10.0)]:
-        box.page.mouse.click(*box.place(x, y))
-    assert box.page.evaluate("picked") == [0, 1, None]
-
-
-def test_two_fingers_zoom(open_box: Any) -> None:
-    box = open_box("cpu", [(2, 30.0, 20.0)])
-    whole, (px, py) = box.scale(), box.place(30, 20)
-    touch = box.page.context.new_cdp_session(box.page)
-
-    def send(kind: str, *fingers: float) -> None:
-        points = [{"x": px + x, "y": py, "id": number} for number, x in enumerate(fingers)]
-        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-
-    send("touchStart", -40.0, 40.0)
-    for spread in (60.0, 80.0, 100.0):
-        send("touchMove", -spread, spread)
-    send("touchEnd")
-    assert box.scale() == pytest.approx(2.5 * whole, rel=0.1)
-    assert box.place(30, 20) == pytest.approx((px, py), abs=5)
-    assert box.page.evaluate("picked") == []
 
 
 @BOTH

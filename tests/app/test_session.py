@@ -4,51 +4,16 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 import pytest
 from free_flight import FreeFlight, gas
+from session_steps import frames, open_mailbox, until
 
-from gasbox.app import protocol
 from gasbox.app.mailbox import Mailbox
 from gasbox.app.session import Session
 from gasbox.errors import Problem, ScenarioError, UsageError
-
-
-def until(condition: Callable[[], Any], seconds: float = 10.0) -> None:
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, "it did not come true"
-        time.sleep(0.005)
-
-
-@pytest.fixture
-def session() -> Iterator[Session]:
-    one = Session(gas(), unwatched=True, simulate=FreeFlight)
-    yield one
-    one.close()
-
-
-@pytest.fixture
-def paused(session: Session) -> Session:
-    session.pause()
-    session.start()
-    session.settle()
-    return session
-
-
-def open_mailbox(session: Session) -> Mailbox:
-    mailbox = Mailbox(ring=lambda: None)
-    session.attach(mailbox)
-    session.settle()
-    return mailbox
-
-
-def frames(mailbox: Mailbox) -> list[protocol.WireFrame]:
-    taken = iter(mailbox.take, None)
-    return [protocol.decode_frame(message) for message in taken if isinstance(message, bytes)]
 
 
 def test_it_costs_nothing_before_it_starts(session: Session) -> None:
@@ -173,25 +138,6 @@ def _broken(**_: float) -> None:
     raise DynamicsError("no progress")
 
 
-def test_a_browser_gets_the_table_before_the_first_frame(paused: Session) -> None:
-    mailbox = open_mailbox(paused)
-    text, frame = mailbox.take(), mailbox.take()
-    assert isinstance(text, str)
-    assert '"kind":"table"' in text
-    assert isinstance(frame, bytes)
-    assert f'"generation":{protocol.decode_frame(frame).generation}' in text
-
-
-def test_frames_of_an_old_table_are_never_sent_after_the_new_one(paused: Session) -> None:
-    mailbox = open_mailbox(paused)
-    paused.load(gas((7,)))
-    texts = [message for message in iter(mailbox.take, None) if isinstance(message, str)]
-    assert len(texts) == 2
-    mailbox.ack(1, 1)
-    paused.step().result(5)
-    assert {len(frame.species) for frame in frames(mailbox)} == {7}
-
-
 def test_highlighted_are_those_of_the_bin(paused: Session) -> None:
     sample = paused.sample()
     assert sample is not None
@@ -236,57 +182,6 @@ def test_a_followed_disc_is_in_the_frame(paused: Session) -> None:
 @pytest.mark.parametrize("row", [None, -1, 50, "3", 1.5])
 def test_a_row_that_is_none(paused: Session, row: Any) -> None:
     assert paused.id_of_row(row) is None
-
-
-def test_time_stands_still_while_nobody_looks() -> None:
-    session = Session(gas(), simulate=FreeFlight)
-    session.start()
-    session.settle()
-    time.sleep(0.1)
-    assert session._show.simulation.time == 0.0
-
-    mailbox = open_mailbox(session)
-    until(lambda: session._show.simulation.time > 0.5)
-
-    mailbox.hidden = True
-    session.settle()
-    until(lambda: not session._show.running)
-    hidden = session._show.simulation.time
-    time.sleep(0.1)
-    assert session._show.simulation.time == hidden
-
-    mailbox.hidden = False
-    session.wake()
-    until(lambda: session._show.simulation.time > hidden)
-    session.close()
-
-
-def test_without_acks_it_suspends_and_an_ack_wakes_it_up(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("gasbox.app.mailbox.NO_ACK_LIMIT", 0.2)
-    session = Session(gas(), simulate=FreeFlight)
-    session.start()
-    mailbox = open_mailbox(session)
-    until(lambda: isinstance(mailbox.take(), bytes))
-    until(lambda: not session._show.running)
-    stopped = session._show.simulation.time
-    time.sleep(0.1)
-    assert session._show.simulation.time == stopped
-    assert not session.watched
-    mailbox.ack(1, 1)
-    session.wake()
-    until(lambda: session._show.simulation.time > stopped)
-    session.close()
-
-
-def test_a_second_browser_takes_over(paused: Session) -> None:
-    first = open_mailbox(paused)
-    second = open_mailbox(paused)
-    assert first.closed
-    assert not second.closed
-    paused.audience.detach(first)
-    assert paused.audience.attached
-    paused.audience.detach(second)
-    assert not paused.audience.attached
 
 
 def test_gas_and_speed_are_handed_over(session: Session) -> None:
