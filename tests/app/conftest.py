@@ -55,7 +55,7 @@ async def lab() -> AsyncIterator[Lab]:
 
 @pytest.fixture(scope="session")
 def lab_server() -> Iterator[Server]:
-    server = Server()
+    server = Server(max_sessions=100)  # each test leaves one behind, which is kept for a while
     try:
         yield server.wait()
     finally:
