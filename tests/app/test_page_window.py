@@ -47,3 +47,9 @@ def test_another_gas_starts_anew() -> None:
     lately = window.take(0.75, 2, 2.0, tallies(8))
     assert lately is not None
     assert np.array_equal(lately.change.pair_collisions, [[8]])
+
+
+def test_another_gas_that_is_older_starts_anew_too() -> None:
+    window = SlidingWindow()
+    window.take(0.0, 1, 0.0, tallies(0))
+    assert window.take(0.25, 2, 500.0, tallies(9)) is None
