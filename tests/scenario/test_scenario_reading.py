@@ -113,9 +113,10 @@ def test_snapshot_floats_read_back_to_the_same_bits():
     )
     memory = {
         "epoch": 3,
+        "epoch_length": 64.0,
         "position": random.standard_normal((20, 2)) * 1e-7,
+        "velocity": random.standard_normal((20, 2)) * 1e7,
         "time": random.random(20),
-        "step": 12,
     }
     tallies = {
         "pair_virial": [0.1 + 0.2],

@@ -19,8 +19,8 @@ __all__ = ["Overlap", "separate", "worst_overlap"]
 _TOUCHING: Final = 1e-9
 """Depth, as a fraction of the smaller radius, up to which discs only touch."""
 _GAP: Final = 1e-7
-_LOOKS_EACH: Final = 20_000
-_LOOKS_MORE: Final = 100_000_000
+_LOOKS_EACH: Final = 2000
+_LOOKS_MORE: Final = 1_000_000
 
 
 @dataclass(frozen=True)

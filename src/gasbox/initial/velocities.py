@@ -13,8 +13,10 @@ from gasbox.scenario import Scenario, Species
 
 __all__ = ["draw_velocities"]
 
-_ROUNDS: Final = 200
-_CLOSE: Final = 1e-15
+_TURNS: Final = 50
+_GENTLE: Final = 4.0
+"""After the first turn no energy changes by more than this factor; else drift drowns a cold species."""
+_CLOSE: Final = 1e-14
 
 
 def draw_velocities(scenario: Scenario, species: NDArray[np.int32]) -> NDArray[np.float64]:
@@ -38,6 +40,9 @@ def draw_velocities(scenario: Scenario, species: NDArray[np.int32]) -> NDArray[n
     Multiplying disturbs 1, taking off disturbs 2; doing both in turn converges quickly, because each correction is
     smaller than the one before by a factor of the order of 1/N. A species of a single disc keeps the speed that it was
     dealt and only takes part in 1; a gas of a single disc is left as drawn, for it has no frame in which it moves.
+
+    (Where a heavy species is so cold that the drift would drown its own motion, this does not settle; then the momentum
+    of each species is taken off by itself.)
 
     Discs that are listed, and species with `speed` or `velocities`, are left exactly as they were asked for, whatever
     momentum they bring.
@@ -73,23 +78,59 @@ def _correct(scenario: Scenario, velocity: NDArray[np.float64], drawn: dict[int,
     if sum(members.size for members in drawn.values()) < 2:
         return
     periodic = scenario.container.geometry().periodic
-    masses = {number: scenario.species[number].mass for number in drawn}
-    total = sum(masses[number] * members.size for number, members in drawn.items())
-    groups = [(velocity[members], masses[number]) for number, members in drawn.items()]
+    masses = [scenario.species[number].mass for number in drawn]
+    total = sum(mass * members.size for mass, members in zip(masses, drawn.values(), strict=True))
     targets = [_energy(scenario, number, members.size, total) for number, members in drawn.items()]
-    for _ in range(_ROUNDS):
-        drift = sum(mass * group.sum(axis=0) for group, mass in groups) / total * periodic
-        for group, _ in groups:
-            group -= drift
-        factors = [
-            _factor(group, mass, target) for (group, mass), target in zip(groups, targets, strict=True)
-        ]
-        for (group, _), factor in zip(groups, factors, strict=True):
-            group *= factor
-        if not periodic.any() or max(abs(factor - 1) for factor in factors) <= _CLOSE:
-            break
-    for (group, _), members in zip(groups, drawn.values(), strict=True):
+    groups = [velocity[members] for members in drawn.values()]
+    if not _settle(groups, masses, targets, periodic):
+        groups = [velocity[members] for members in drawn.values()]
+        for group in groups:
+            group -= periodic * group.mean(axis=0)
+        _rescale(groups, masses, targets)
+    for group, members in zip(groups, drawn.values(), strict=True):
         velocity[members] = group
+
+
+def _settle(
+    groups: list[NDArray[np.float64]], masses: list[float], targets: list[float], periodic: NDArray[np.bool_]
+) -> bool:
+    """Take off the common drift and rescale in turn, in place; False if that does not settle."""
+    total = sum(mass * group.shape[0] for mass, group in zip(masses, groups, strict=True))
+    for turn in range(_TURNS):
+        drift = sum(mass * group.sum(axis=0) for mass, group in zip(masses, groups, strict=True)) / total
+        for group in groups:
+            group -= periodic * drift
+        largest = _rescale(groups, masses, targets)
+        if turn > 0 and largest > _GENTLE:
+            return False
+        if _at_rest(groups, masses, periodic):
+            return True
+    return False
+
+
+def _rescale(groups: list[NDArray[np.float64]], masses: list[float], targets: list[float]) -> float:
+    """Give each group its kinetic energy [energy], in place; a single disc keeps its own.
+
+    Returns
+    -------
+    The largest factor on an energy, or of its inverse.
+    """
+    largest = 1.0
+    for group, mass, target in zip(groups, masses, targets, strict=True):
+        energy = 0.5 * mass * float(np.square(group).sum())
+        if group.shape[0] > 1 and energy > 0:
+            group *= math.sqrt(target / energy)
+            largest = max(largest, target / energy, energy / target if target > 0 else math.inf)
+    return largest
+
+
+def _at_rest(groups: list[NDArray[np.float64]], masses: list[float], periodic: NDArray[np.bool_]) -> bool:
+    """Whether the momentum along periodic directions is nothing but rounding."""
+    momentum, size = np.zeros(2), np.zeros(2)
+    for group, mass in zip(groups, masses, strict=True):
+        momentum += mass * group.sum(axis=0)
+        size += mass * np.abs(group).sum(axis=0)
+    return bool((np.abs(momentum) <= _CLOSE * size)[periodic].all())
 
 
 def _energy(scenario: Scenario, number: int, count: int, total: float) -> float:
@@ -97,8 +138,3 @@ def _energy(scenario: Scenario, number: int, count: int, total: float) -> float:
     species = scenario.species[number]
     directions = int(scenario.container.geometry().periodic.sum())
     return count * float(species.temperature or 0.0) * (1 - directions / 2 * species.mass / total)
-
-
-def _factor(group: NDArray[np.float64], mass: float, target: float) -> float:
-    energy = 0.5 * mass * float(np.square(group).sum())
-    return math.sqrt(target / energy) if group.shape[0] > 1 and energy > 0 else 1.0

@@ -14,11 +14,11 @@ from gasbox.scenario.dynamics import EventDriven, Stepped
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.problems import near, short
+from gasbox.scenario.remembered import snapshot_problems
 from gasbox.scenario.sizes import region_problems, size_problems
 from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Species
 from gasbox.scenario.values import LARGEST_COUNT
-from gasbox.state import Tallies
 
 __all__ = ["Parts", "broken_rules"]
 
@@ -134,21 +134,5 @@ def _axis(parts: Parts) -> Iterator[Problem]:
 
 
 def _snapshot(parts: Parts) -> Iterator[Problem]:
-    if parts.snapshot is None:
-        return
-    if parts.particles is None:
-        yield Problem("particles", "nothing", "a snapshot needs its particles")
-    expected = Tallies.zero(len(parts.species), 4)
-    for name, array in vars(expected).items():
-        tally = parts.snapshot.tallies.get(name)
-        shape = _shape(tally)
-        if shape != array.shape:
-            allowed = f"must be numbers in the shape {list(array.shape)}"
-            yield Problem(
-                f"snapshot.tallies.{name}", "nothing" if tally is None else f"shape {list(shape)}", allowed
-            )
-
-
-def _shape(value: object) -> tuple[int, ...]:
-    """Shape of nested lists, which `Snapshot` has found to be regular."""
-    return (len(value), *(_shape(value[0]) if value else ())) if isinstance(value, list) else ()
+    if parts.snapshot is not None:
+        yield from snapshot_problems(parts.snapshot, parts.particles, len(parts.species))

@@ -90,7 +90,11 @@ class Scenario(Section):
 
     def to_dict(self) -> dict[str, Any]:
         """The scenario as JSON values; `parse` reads it back to an equal one."""
-        return self.model_dump(mode="json", by_alias=True, exclude_none=True)
+        large = {"particles", "snapshot"}
+        values = self.model_dump(mode="json", by_alias=True, exclude_none=True, exclude=large)
+        # These may hold millions of numbers: they go straight from arrays to lists.
+        values |= {name: part.to_json() for name in large if (part := getattr(self, name)) is not None}
+        return {key: values[key] for key in _keys(Scenario) if key in values}
 
     def to_json(self) -> str:
         """The scenario as JSON text; floats read back to the same bits."""

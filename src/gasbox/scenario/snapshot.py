@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from pydantic import field_serializer, field_validator
+from pydantic import field_validator, model_serializer
 
 from gasbox.scenario.values import Finite, Section
 
@@ -34,12 +34,19 @@ class Snapshot(Section):
     def _lists(cls, value: dict[str, Any]) -> dict[str, Any]:
         return {name: np.asarray(_array(name, entry)).tolist() for name, entry in value.items()}
 
-    @field_serializer("memory")
-    def _nested(self, value: dict[str, Any]) -> dict[str, Any]:
-        return {name: entry.tolist() if hasattr(entry, "tolist") else entry for name, entry in value.items()}
+    def to_json(self) -> dict[str, Any]:
+        """As JSON values."""
+        memory = {
+            name: entry.tolist() if hasattr(entry, "tolist") else entry for name, entry in self.memory.items()
+        }
+        return {"version": self.version, "time": self.time, "memory": memory, "tallies": self.tallies}
+
+    @model_serializer
+    def _serialise(self) -> dict[str, Any]:
+        return self.to_json()
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Snapshot) and self.model_dump() == other.model_dump()
+        return isinstance(other, Snapshot) and self.to_json() == other.to_json()
 
     __hash__ = None  # type: ignore[assignment]
 

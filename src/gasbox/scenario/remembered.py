@@ -1,0 +1,78 @@
+"""Whether the section of a snapshot fits its gas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, Final
+
+import numpy as np
+
+from gasbox.errors import Problem
+from gasbox.geometry import Rectangle
+from gasbox.scenario.particles import Particles
+from gasbox.scenario.problems import short
+from gasbox.scenario.snapshot import Snapshot
+from gasbox.state import Tallies
+
+__all__ = ["snapshot_problems"]
+
+_MOST: Final = 2**62
+"""Counts stay below, so that they can go on counting in 64 bits."""
+
+
+def snapshot_problems(snapshot: Snapshot, particles: Particles | None, species: int) -> Iterator[Problem]:
+    """What does not fit, for a scenario with so many species."""
+    if particles is None:
+        yield Problem("particles", "nothing", "a snapshot needs its particles")
+        return
+    yield from _tallies(snapshot.tallies, species)
+    yield from _memory(snapshot.memory, particles.count)
+
+
+def _tallies(tallies: dict[str, Any], species: int) -> Iterator[Problem]:
+    expected = vars(Tallies.zero(species, len(Rectangle.WALLS)))
+    for name in tallies.keys() - expected.keys():
+        path = f"snapshot.tallies.{short(name, bare=True)}"
+        yield Problem(path, "an unknown key", f"known: {', '.join(expected)}")
+    for name, array in expected.items():
+        path = f"snapshot.tallies.{name}"
+        if name not in tallies:
+            yield Problem(path, "nothing", "is required")
+            continue
+        found = np.asarray(tallies[name])
+        counts = array.dtype.kind == "i"
+        if found.shape != array.shape:
+            yield Problem(path, f"the shape {list(found.shape)}", f"must have the shape {list(array.shape)}")
+        elif (counts and found.dtype.kind != "i") or (found < 0).any() or (counts and (found > _MOST).any()):
+            yield Problem(
+                path, short(found.ravel().tolist()), f"must be {'counts' if counts else 'sums'} of at least 0"
+            )
+
+
+def _memory(memory: dict[str, Any], particles: int) -> Iterator[Problem]:
+    """What each dynamics remembers; which one it was, one name tells."""
+    shapes: dict[str, tuple[int, ...]] = {}
+    if "epoch" in memory:
+        vectors = (particles, 2)
+        shapes |= {
+            "epoch": (),
+            "epoch_length": (),
+            "position": vectors,
+            "velocity": vectors,
+            "time": (particles,),
+        }
+    if "step" in memory:
+        shapes["step"] = ()
+    for name, shape in shapes.items():
+        path = f"snapshot.memory.{name}"
+        if name not in memory:
+            yield Problem(path, "nothing", "is required")
+            continue
+        found = np.asarray(memory[name])
+        # Without particles there are no rows to tell the shape from.
+        if found.shape != shape and found.size + particles > 0:
+            yield Problem(path, f"the shape {list(found.shape)}", f"must have the shape {list(shape)}")
+        elif name in ("epoch", "step") and (found.dtype.kind != "i" or abs(int(found)) > _MOST):
+            yield Problem(path, short(memory[name]), "must be a whole number")
+        elif name == "epoch_length" and not found > 0:
+            yield Problem(path, short(memory[name]), "must be greater than 0")
