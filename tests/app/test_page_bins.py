@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from gasbox.app.bins import BinChoice, curve, edges_of, expected
-from gasbox.app.chart_options import bar_rows, changes, curve_rows, initial
+from gasbox.app.chart_options import bar_rows, changes, curve_rows, initial, value_axis
 from gasbox.scenario import load
 
 pytestmark = pytest.mark.small
@@ -52,3 +52,14 @@ def test_only_what_has_changed_is_sent() -> None:
     assert changes(shown, wanted) == {"yAxis": {"max": 80}, "series": [{"data": [[0.5, 1.0]]}, {}]}
     assert changes(shown, wanted) == {}
     assert changes(shown, {"series": [{"data": [[0.5, 2.0]]}]}) == {"series": [{"data": [[0.5, 2.0]]}]}
+
+
+@pytest.mark.parametrize(
+    "high", [0.2, 0.8, 1.0, 1.2, 1.5, 2.0, 2.4, 2.5, 3.0, 3.8, 4.0, 5.0, 6.0, 7.31, 8.0, 1e-7, 3e9]
+)
+def test_the_axis_has_a_few_round_marks(high: float) -> None:
+    axis = value_axis(0.0, high, "speed")
+    parts = high / axis["interval"]
+    assert 4 <= parts < 11
+    assert axis["axisLabel"]["showMaxLabel"] == (parts == pytest.approx(round(parts)))
+    assert float(f"{axis['interval']:.1e}") == pytest.approx(axis["interval"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -9,9 +10,12 @@ from numpy.typing import NDArray
 
 from gasbox.units import UNIT
 
-__all__ = ["bar_rows", "changes", "curve_rows", "initial"]
+__all__ = ["bar_rows", "changes", "curve_rows", "initial", "value_axis"]
 
+_INK = {"color": "var(--muted)", "fontSize": 11}
 _FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'
+_WHOLE = '(value) => value.toLocaleString("en").replaceAll(",", "\\u2009")'
+_ROUND = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)
 _TOOLTIP = """(shown) => {
   const [, count, low, high, expected] = shown[0].value;
   const short = (x) => String(+x.toPrecision(3));
@@ -63,10 +67,8 @@ def initial(name: str, color: str, quantity: str) -> dict[str, Any]:
         "grid": {"left": 58, "right": 14, "top": 10, "bottom": 42},
         "xAxis": {
             **_axis(axis_name(quantity), 26),
-            "min": 0,
-            "max": 1,
+            **value_axis(0.0, 1.0, quantity),
             "splitLine": {"show": False},
-            "splitNumber": 6,
         },
         "yAxis": {
             **_axis("number of particles", 40),
@@ -74,6 +76,7 @@ def initial(name: str, color: str, quantity: str) -> dict[str, Any]:
             "max": 10,
             "interval": 5,
             "axisLine": {"show": False},
+            "axisLabel": {**_INK, ":formatter": _WHOLE},
         },
         "tooltip": {
             "trigger": "axis",
@@ -92,6 +95,28 @@ def initial(name: str, color: str, quantity: str) -> dict[str, Any]:
     }
 
 
+def value_axis(low: float, high: float, quantity: str) -> dict[str, Any]:
+    """What changes about the horizontal axis: its ends, its name, and round marks."""
+    step, fits = _marks(high - low)
+    return {
+        "min": low,
+        "max": high,
+        "name": axis_name(quantity),
+        "interval": step,
+        "axisLabel": {**_INK, "hideOverlap": True, "showMaxLabel": fits},
+    }
+
+
+def _marks(length: float) -> tuple[float, bool]:
+    """A round distance of marks, four to eight of them, and whether they divide the axis."""
+    for parts in (6, 5, 8, 4, 7):
+        step = float(f"{length / parts:.9g}")
+        if float(f"{step:e}".partition("e")[0]) in _ROUND:
+            return step, True
+    power = 10.0 ** math.floor(math.log10(length / 4))
+    return max(unit * power for unit in (1.0, 2.0, 5.0) if unit * power <= length / 4), False
+
+
 def _description(name: str, quantity: str) -> str:
     return (
         f"Histogram of the {quantity} of {name}: number of particles in each bin, with the curve of theory."
@@ -104,14 +129,13 @@ def axis_name(quantity: str) -> str:
 
 
 def _axis(name: str, gap: int) -> dict[str, Any]:
-    ink = {"color": "var(--muted)", "fontSize": 11}
     return {
         "type": "value",
         "name": name,
         "nameLocation": "middle",
         "nameGap": gap,
-        "nameTextStyle": ink,
-        "axisLabel": {**ink, "hideOverlap": True},
+        "nameTextStyle": _INK,
+        "axisLabel": {**_INK, "hideOverlap": True},
         "axisLine": {"show": True, "lineStyle": {"color": "var(--line-strong)"}},
         "axisTick": {"lineStyle": {"color": "var(--line-strong)"}},
         "splitLine": {"lineStyle": {"color": "var(--line)"}},

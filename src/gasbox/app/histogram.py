@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from gasbox.app.bins import BinChoice, curve, expected
 from gasbox.app.ceiling import Ceiling, interval
-from gasbox.app.chart_options import axis_name, bar_rows, changes, curve_rows, initial
+from gasbox.app.chart_options import bar_rows, changes, curve_rows, initial, value_axis
 from gasbox.app.smoothing import Smoothing
 from gasbox.app.wording import whole
 from gasbox.observe import Histogram as Counts
@@ -107,9 +107,8 @@ class Histogram:
             )
         highest = max(float(counts.max(initial=0.0)), 0.0 if line is None else float(line[1].max()))
         top = self._ceiling.cover(now, highest)
-        name = axis_name(choice.quantity)
         return {
-            "xAxis": {"min": float(self.edges[0]), "max": float(self.edges[-1]), "name": name},
+            "xAxis": value_axis(float(self.edges[0]), float(self.edges[-1]), choice.quantity),
             "yAxis": {"max": top, "interval": interval(top)},
             "series": [
                 {"data": bar_rows(self.edges, counts, law)},

@@ -112,6 +112,10 @@ class Transport:
 
     def show_reached(self, keeping_up: bool, reached: float | None) -> None:
         """Say so if the engine cannot keep up."""
-        text = "" if keeping_up or reached is None else f"can't keep up: reaches {times(reached)}"
+        text = (
+            ""
+            if keeping_up or reached is None
+            else f"can't keep up:\nreaches {times(float(f'{reached:.2g}'))}"
+        )
         if self._behind.text != text:
             self._behind.set_text(text)
