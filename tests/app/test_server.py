@@ -120,8 +120,9 @@ def test_nothing_of_the_programming_interface_is_shown(served: Served) -> None:
 
 def test_ctrl_c_ends_it_cleanly() -> None:
     served = Served.start()
-    assert httpx.get(served.address).status_code == 200
+    answer = httpx.get(served.address)
     status, said = served.end()
+    assert answer.status_code == 200
     assert status == 0
     assert "Traceback" not in said
     assert "has ended" in said

@@ -119,3 +119,28 @@ def test_a_full_lab_is_kind_and_lets_in_who_waits(browser: Browser, server: Fram
     page.close()
     server.registry.close()
     seated[0].close()
+
+
+BACKLOG = """async (arrivals) => {
+  const { Backlog } = await import("/core/backlog.js");
+  const backlog = new Backlog();
+  let next = 0;
+  return arrivals.map((count) => {
+    for (let k = 0; k < count; k++) backlog.put(next++);
+    return backlog.take();
+  });
+}"""
+
+
+@pytest.mark.parametrize(
+    ("arrivals", "drawn"),
+    [
+        ([1, 1, 1, 1], [0, 1, 2, 3]),
+        ([2, 0, 1, 2, 0], [0, 1, 2, 3, 4]),  # two at once are drawn one after the other
+        ([0, 0], [None, None]),
+        ([2, 1, 1, 1], [0, 2, 3, 4]),  # but not for ever: who is behind is shown the newest
+        ([5, 5, 5], [3, 9, 13]),
+    ],
+)
+def test_frames_that_arrive_together(page: Page, arrivals: list[int], drawn: list[int | None]) -> None:
+    assert page.evaluate(BACKLOG, arrivals) == drawn

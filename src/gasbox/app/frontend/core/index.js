@@ -121,14 +121,14 @@ class Lab {
     this.ticket ||= requestAnimationFrame(() => this.tick());
   }
 
-  // Once per screen frame at most: the newest frame only. The ack goes out even if drawing fails.
+  // Once per screen frame at most. The ack goes out even if drawing fails.
   tick() {
     this.ticket = 0;
     const { socket } = this;
     this.stats.received += socket.received - socket.acked;
     try {
       const began = performance.now();
-      const fresh = this.takeNewest();
+      const fresh = this.takeFrame();
       this.redraw();
       if (fresh && this.sized) {
         socket.drawn++;
@@ -139,14 +139,14 @@ class Lab {
       console.error(error);
     } finally {
       socket.ack();
+      if (socket.backlog.spared) this.schedule();
     }
   }
 
-  takeNewest() {
-    const { newest } = this.socket;
-    this.socket.newest = null;
-    if (!newest || !this.table) return false;
-    const frame = decodeFrame(newest);
+  takeFrame() {
+    const message = this.socket.backlog.take();
+    if (!message || !this.table) return false;
+    const frame = decodeFrame(message);
     if (frame.generation !== this.table.generation) return false;
     this.frame = frame;
     this.trail.add(frame);

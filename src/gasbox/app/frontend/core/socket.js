@@ -1,4 +1,5 @@
-// The frame socket: keeps the newest frame, acknowledges cumulatively, connects again by itself.
+// The frame socket: keeps the newest frames, acknowledges cumulatively, connects again by itself.
+import { Backlog } from "./backlog.js";
 import { encodeAck, encodeHidden } from "./protocol.js";
 
 const GONE = 4404;
@@ -8,12 +9,12 @@ const KEY = "gasbox-session";
 const RELOADED = "gasbox-reloaded";
 
 export class FrameSocket {
-  // onFrame() is called when `newest` has changed; onText(message) for the rest.
+  // onFrame() is called when there is something in the backlog; onText(message) for the rest.
   constructor(session, { onFrame, onText }) {
     this.session = session;
     this.onFrame = onFrame;
     this.onText = onText;
-    this.newest = null; // ArrayBuffer that has not been drawn yet
+    this.backlog = new Backlog(); // of ArrayBuffers
     this.received = 0;
     this.acked = 0;
     this.drawn = 0;
@@ -42,7 +43,7 @@ export class FrameSocket {
       const message = JSON.parse(data);
       if (message.kind === "table") {
         this.delay = 250;
-        this.newest = null; // it relies on the table before
+        this.backlog.clear(); // it relies on the table before
         sessionStorage.setItem(KEY, this.session);
         sessionStorage.removeItem(RELOADED);
       }
@@ -50,7 +51,7 @@ export class FrameSocket {
       return;
     }
     this.received++;
-    this.newest = data;
+    this.backlog.put(data);
     this.onFrame();
   }
 
