@@ -217,12 +217,18 @@ def _bounce(i: int, wall: int, gas: Gas, time: float, book: Ledger) -> None:
 def _walls(gas: Gas, box: Box, room: Workspace, book: Ledger, time: float) -> bool:
     """Turn round all discs at a wall, from place `progress[1]` on; return whether the end was reached."""
     position, velocity, radius = gas.position, gas.velocity, gas.radius
-    for place in range(room.progress[1], 4 * radius.shape[0]):
-        if _hits(place // 4, place % 4, position, velocity, radius, box):
-            if _full(book):
-                room.progress[1] = place
-                return False
-            _bounce(place // 4, place % 4, gas, time, book)
+    for i in range(room.progress[1] // 4, radius.shape[0]):
+        x, y, r = position[i, 0], position[i, 1], radius[i]
+        clear_x = box.periodic_x or (x > r and x + r < box.width)
+        clear_y = box.periodic_y or (y > r and y + r < box.height)
+        if clear_x and clear_y:
+            continue
+        for wall in range(room.progress[1] % 4 if room.progress[1] > 4 * i else 0, 4):
+            if _hits(i, wall, position, velocity, radius, box):
+                if _full(book):
+                    room.progress[1] = 4 * i + wall
+                    return False
+                _bounce(i, wall, gas, time, book)
     return True
 
 
