@@ -31,6 +31,8 @@ __all__ = ["BEAT", "Page", "build"]
 BEAT = 0.25
 """Seconds between two updates of charts and numbers."""
 _ASSETS = Path(__file__).parent / "assets"
+_SLOW = 30.0
+"""Frames per second below which the browser gets new histograms only at every third beat: the box comes first."""
 _MANY = 20_000
 """So many particles are counted in a thread, so that frames keep flowing."""
 
@@ -51,6 +53,7 @@ class Page:
         self._version = -1
         self._visible = True
         self._beating = False
+        self._beats = 0
         self._dark = ui.dark_mode(None)
         self._keys = keys_dialog()
         self.files = Files(session, self._redraw)
@@ -134,7 +137,11 @@ class Page:
     def _measure(self, sample: Sample) -> tuple[Figures, list[Histogram]]:
         lately = self._window.take(time.monotonic(), sample.version, sample.time, sample.tallies)
         numbers = figures(sample, lately)
-        return numbers, self.charts.count(sample, numbers.temperature) if self._show_charts else []
+        self._beats += 1
+        struggles = sample.playing and 0 < sample.shown_fps < _SLOW and self._beats % 3
+        if not self._show_charts or struggles:
+            return numbers, []
+        return numbers, self.charts.count(sample, numbers.temperature)
 
     def _changed(self, sample: Sample) -> None:
         """Another gas, or the same one from its start."""
