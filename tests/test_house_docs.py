@@ -82,11 +82,20 @@ def test_json_is_a_scenario(text: str) -> None:
     assert parse(text).species
 
 
+def anchors(page: Path) -> set[str]:
+    """The names under which a page's headings can be linked."""
+    headings = re.findall(r"^#+ (.*)$", page.read_text("utf-8"), re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_links_lead_somewhere(page: Path) -> None:
-    links = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)|src(?:set)?=\"([^\":]+)\"", page.read_text("utf-8"))
-    missing = [link for pair in links for link in pair if link and not (page.parent / link).exists()]
-    assert missing == []
+    text = page.read_text("utf-8")
+    links = re.findall(r"\]\(([^)\s:]+)\)|src(?:set)?=\"([^\":]+)\"", text)
+    for target, _, anchor in (link.partition("#") for pair in links for link in pair if link):
+        place = page.parent / target if target else page
+        assert place.exists(), target
+        assert not anchor or anchor in anchors(place), f"{target}#{anchor}"
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
