@@ -65,7 +65,7 @@ def grid(radius: NDArray[np.float64], width: float, height: float, ratio: float 
     """Empty grids for discs of these radii (n,) [length] in a box of width x height [length]."""
     level, largest = classes(radius, ratio)
     members = np.bincount(level, minlength=largest.size)
-    side = np.maximum(2.0 * largest * (1 + 1e-9), np.sqrt(width * height / np.maximum(members, 1)))
+    side = np.maximum(2.0 * largest * (1 + 1e-9), 0.5 * np.sqrt(width * height / np.maximum(members, 1)))
     columns = np.maximum(1, np.floor(width / side)).astype(np.int64)
     rows = np.maximum(1, np.floor(height / side)).astype(np.int64)
     first = np.concatenate([np.zeros(1, np.int64), np.cumsum(columns * rows)]).astype(np.int64)
@@ -82,9 +82,9 @@ def grid(radius: NDArray[np.float64], width: float, height: float, ratio: float 
 
 
 @inlined_kernel
-def cell_of(coordinate: float, length: float, cells: int) -> int:
-    """Column (or row) of a coordinate; what lies outside belongs to the outermost cell."""
-    return min(max(int(coordinate / length * cells), 0), cells - 1)
+def cell_of(coordinate: float, per_length: float, cells: int) -> int:
+    """Column (or row) of a coordinate, with `per_length` of them in a length; what lies outside is in the outermost."""
+    return min(max(int(coordinate * per_length), 0), cells - 1)
 
 
 @inlined_kernel
@@ -118,8 +118,8 @@ def file(
     start[:] = 0
     for i in range(position.shape[0]):
         own = level[i]
-        column = cell_of(position[i, 0], box.width, columns[own])
-        row = cell_of(position[i, 1], box.height, rows[own])
+        column = cell_of(position[i, 0], columns[own] / box.width, columns[own])
+        row = cell_of(position[i, 1], rows[own] / box.height, rows[own])
         cell[i] = first[own] + row * columns[own] + column
         start[cell[i] + 1] += 1
     for c in range(1, start.shape[0]):

@@ -106,21 +106,24 @@ def _scan_level(
     `target` is the number of the level's first cell; if `own`, the slots are of this level and look
     at later slots only.
     """
+    across, along = columns / box.width, rows / box.height
     for s in range(begin_slot, end_slot):
-        column = cell_of(x[s], box.width, columns)
-        row = cell_of(y[s], box.height, rows)
+        column = cell_of(x[s], across, columns)
+        row = cell_of(y[s], along, rows)
         left, right = span(column, columns, box.periodic_x)
         below, above = span(row, rows, box.periodic_y)
         inside = column + left >= 0 and column + right < columns
         after = s + 1 if own else 0
         for up in range(below, above + 1):
-            base = target + (row + up + rows) % rows * columns
+            line = row + up
+            line = line + rows if line < 0 else line - rows if line >= rows else line
+            base = target + line * columns
             if inside:
                 begin, end = start[base + column + left], start[base + column + right + 1]
                 found = _scan(s, max(begin, after), end, x, y, reach, order, key, box, found)
             else:
-                for across in range(left, right + 1):
-                    cell = base + (column + across + columns) % columns
+                for beside in range(left, right + 1):
+                    cell = base + (column + beside + columns) % columns
                     begin, end = start[cell], start[cell + 1]
                     found = _scan(s, max(begin, after), end, x, y, reach, order, key, box, found)
     return found

@@ -94,8 +94,8 @@ def rebuild(tables: Tables, box: Box, now: float, horizon: float, rate: float) -
         x = _fold(flight[i, X] + flight[i, VX] * elapsed, box.width, box.periodic_x)
         y = _fold(flight[i, Y] + flight[i, VY] * elapsed, box.height, box.periodic_y)
         level = link[i, LEVEL]
-        column = cell_of(x, box.width, levels[level, COLUMNS])
-        row = cell_of(y, box.height, levels[level, ROWS])
+        column = cell_of(x, levels[level, COLUMNS] / box.width, levels[level, COLUMNS])
+        row = cell_of(y, levels[level, ROWS] / box.height, levels[level, ROWS])
         enter(link, head, i, levels[level, FIRST] + row * levels[level, COLUMNS] + column)
         link[i, PARTNER] = NOBODY
         link[i, PLACE] = NOWHERE
