@@ -22,15 +22,20 @@ class FakeClock:
 
 
 class FreeFlight:
-    """Discs that pass through each other in a periodic box, for which a unit of simulated time costs `cost` s."""
+    """Discs that pass through each other in a periodic box.
 
-    def __init__(self, scenario: Scenario, clock: FakeClock | None = None, cost: float = 0.0) -> None:
+    By the fake clock, a unit of simulated time costs `cost` seconds, and each call `overhead` seconds.
+    """
+
+    def __init__(
+        self, scenario: Scenario, clock: FakeClock | None = None, cost: float = 0.0, overhead: float = 0.0
+    ) -> None:
         self.scenario = scenario
         self.geometry = scenario.container.geometry()
         self.frame_interval = scenario.frame_interval or 1.0
         self.warnings = ()
         self.calls: list[float] = []
-        self._clock, self._cost = clock, cost
+        self._clock, self._cost, self._overhead = clock, cost, overhead
         counts = [one.count for one in scenario.species]
         names = [one.name for one in scenario.species]
         drawn = np.repeat(np.arange(len(counts), dtype=np.int32), counts)
@@ -58,7 +63,7 @@ class FreeFlight:
         self.state.position = (self.state.position + self.state.velocity * step) % self.geometry.size
         self.state.time = until
         if self._clock is not None:
-            self._clock.now += step * self._cost
+            self._clock.now += step * self._cost + self._overhead
 
     def snapshot(self) -> Scenario:
         return self.scenario

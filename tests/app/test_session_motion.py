@@ -64,6 +64,22 @@ def test_a_slow_engine_is_cut_to_the_budget_and_told() -> None:
     assert 0.1 < motion.speed_reached < 0.4
 
 
+def test_overhead_is_not_most_of_the_work() -> None:
+    clock = FakeClock()
+    # A call costs more than the budget whatever it is asked for, as with a million discs.
+    motion = Motion(FreeFlight(gas(), clock, cost=0.1, overhead=0.015), 1.0, clock)
+    motion.begin(1.0)
+    started = clock.now
+    for _ in range(200):
+        begun = clock.now
+        pause = motion.beat()
+        assert clock.now - begun < 4 * BUDGET
+        clock.now += pause
+    useful = 0.1 * motion.simulation.time
+    assert useful > 0.35 * (clock.now - started)
+    assert not motion.keeping_up
+
+
 def test_it_keeps_up_again_when_less_is_asked() -> None:
     clock = FakeClock()
     motion = Motion(FreeFlight(gas(), clock, cost=0.1), 1.0, clock)

@@ -63,6 +63,14 @@ class Motion:
         self._last = now
         self._goal = self.simulation.time
         self._account.clear()
+        if self._quantum == 0:
+            # Twice, because the first call of all may do more than usual.
+            self._slices.costs(min(self._empty_call(), self._empty_call()))
+
+    def _empty_call(self) -> float:
+        begun = self._clock()
+        self.simulation.advance(until=self.simulation.time)
+        return self._clock() - begun
 
     def beat(self) -> float:
         """Advance as far as is due, within the budget; the seconds until the next beat."""
@@ -89,21 +97,24 @@ class Motion:
 
     def _advance(self, goal: float, deadline: float) -> None:
         """Slice by slice up to `goal` [time], until the clock shows `deadline` [s]."""
-        simulation = self.simulation
-        while (until := self._next(simulation.time, goal)) is not None:
-            before, begun = simulation.time, self._clock()
+        simulation, begun = self.simulation, self._clock()
+        while (until := self._next(simulation.time, goal, deadline - begun)) is not None:
+            before = simulation.time
             simulation.advance(until=until)
             now = self._clock()
             self._slices.took(simulation.time - before, now - begun)
-            if now >= deadline:
+            begun = now
+            if deadline - now < 0.2 * BUDGET:
                 return
 
-    def _next(self, now: float, goal: float) -> float | None:
+    def _next(self, now: float, goal: float, seconds: float) -> float | None:
         """Where the next slice ends, or None if `goal` is reached as far as whole steps allow."""
+        # A part of the time left, because a slice may take longer than the one before.
+        size = self._slices.size(0.7 * seconds)
         if self._quantum == 0:
-            return min(goal, now + self._slices.size()) if goal > now else None
+            return min(goal, now + size) if goal > now else None
         steps = math.floor((goal - now) / self._quantum + 1e-6)
         if steps < 1:
             return None
-        steps = min(steps, max(1, int(self._slices.size() / self._quantum)))
+        steps = min(steps, max(1, int(size / self._quantum)))
         return (round(now / self._quantum) + steps) * self._quantum

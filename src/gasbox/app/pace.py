@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from typing import Final
+from typing import ClassVar, Final
 
 __all__ = ["FRAMES_PER_SECOND", "SPEED_LIMITS", "Account", "Slices", "Ticks"]
 
@@ -38,24 +38,35 @@ class Ticks:
 
 
 class Slices:
-    """Cuts an advance into pieces of a few milliseconds, sized from the measured rate.
+    """Cuts an advance into pieces, sized from the measured rate.
 
-    A kernel cannot be interrupted; so that a page never hangs, it is only asked for what it can do in the
-    time left.
+    A kernel cannot be interrupted; so that a page never hangs, it is only asked for what it can do in the time left.
+    Each call costs something whatever it is asked for (projecting all discs), and then something per simulated time.
+
+    Parameters
+    ----------
+    first : a cautious guess [time] of what takes `FIRST_SECONDS`
     """
 
-    def __init__(self, first: float, goal: float = 0.004) -> None:
-        self._goal = goal
-        self._rate = first / goal
-        """Simulated time per second of real time; `first` is a cautious guess for one slice."""
+    FIRST_SECONDS: ClassVar = 0.004
 
-    def size(self) -> float:
-        """Simulated time [time] that probably takes `goal` seconds."""
-        return self._rate * self._goal
+    def __init__(self, first: float) -> None:
+        self._rate = first / self.FIRST_SECONDS
+        self._least = 1e-6 * first
+        self._overhead = 0.0
+
+    def size(self, seconds: float) -> float:
+        """Simulated time [time] for a call that has `seconds` left; never so little that overhead is most of it."""
+        return max(self._rate * max(seconds - self._overhead, self._overhead), self._least)
+
+    def costs(self, overhead: float) -> None:
+        """A call that was asked for nothing took so many seconds."""
+        self._overhead = overhead
 
     def took(self, simulated: float, seconds: float) -> None:
-        """Learn from a slice. Growth is bounded, because the first calls are dominated by overhead."""
-        measured = simulated / max(seconds, 1e-6)
+        """Learn from a slice; what one slice can teach is bounded."""
+        self._overhead = min(self._overhead, seconds)
+        measured = simulated / max(seconds - self._overhead, 0.2 * seconds, 1e-6)
         self._rate = min(max(0.5 * (self._rate + measured), 0.1 * self._rate), 8.0 * self._rate)
 
 

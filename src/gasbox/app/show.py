@@ -93,10 +93,10 @@ class Show:
         if motion is None or not self._wishes.playing or not (self._unwatched or self._audience.watching):
             self.running = False
             return None
-        if not self.running:
-            self.running = True
-            motion.begin(self._wishes.speed)
         try:
+            if not self.running:
+                self.running = True
+                motion.begin(self._wishes.speed)
             pause = motion.beat()
         except Exception as error:
             self.fail(error)
