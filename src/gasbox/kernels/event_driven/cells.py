@@ -14,11 +14,13 @@ from gasbox.jit import inlined_kernel
 from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.tables import (
     CELL,
+    COLUMN,
     COLUMNS,
     FIRST,
     LEVEL,
     NEXT,
     PREV,
+    ROW,
     ROWS,
     T0,
     T_CROSS,
@@ -28,12 +30,24 @@ from gasbox.kernels.event_driven.tables import (
     Y,
 )
 
-__all__ = ["cross", "enter", "leave", "schedule_crossing"]
+__all__ = ["cross", "enter", "leave", "schedule_crossing", "wrapped"]
 
 
 @inlined_kernel
-def enter(link: NDArray[np.int32], head: NDArray[np.int32], i: int, cell: int) -> None:
-    """Put particle `i` into the list of `cell`."""
+def wrapped(cell: int, cells: int) -> int:
+    """Column or row of a cell at most one box beyond the first or last."""
+    return cell + cells if cell < 0 else cell - cells if cell >= cells else cell
+
+
+@inlined_kernel
+def enter(
+    link: NDArray[np.int32], head: NDArray[np.int32], levels: NDArray[np.int64], i: int, column: int, row: int
+) -> None:
+    """Put particle `i` into the list of a cell of its level."""
+    level = link[i, LEVEL]
+    cell = levels[level, FIRST] + row * levels[level, COLUMNS] + column
+    link[i, COLUMN] = column
+    link[i, ROW] = row
     after = head[cell]
     link[i, CELL] = cell
     link[i, PREV] = -1
@@ -84,12 +98,11 @@ def schedule_crossing(
     """Set the time at which particle `i` leaves its cell."""
     level = link[i, LEVEL]
     columns, rows = levels[level, COLUMNS], levels[level, ROWS]
-    local = link[i, CELL] - levels[level, FIRST]
     elapsed = now - flight[i, T0]
     vx, vy = flight[i, VX], flight[i, VY]
     x, y = flight[i, X] + vx * elapsed, flight[i, Y] + vy * elapsed
-    along_x = _time_to_cross(x, vx, local % columns, columns, sides[level, 0], box.width, box.periodic_x)
-    along_y = _time_to_cross(y, vy, local // columns, rows, sides[level, 1], box.height, box.periodic_y)
+    along_x = _time_to_cross(x, vx, link[i, COLUMN], columns, sides[level, 0], box.width, box.periodic_x)
+    along_y = _time_to_cross(y, vy, link[i, ROW], rows, sides[level, 1], box.height, box.periodic_y)
     flight[i, T_CROSS] = now + min(along_x, along_y)
 
 
@@ -107,8 +120,7 @@ def cross(
     """Move particle `i` into the cell that it enters at time `now`; return the direction (-1, 0 or 1 in x and y)."""
     level = link[i, LEVEL]
     columns, rows = levels[level, COLUMNS], levels[level, ROWS]
-    local = link[i, CELL] - levels[level, FIRST]
-    column, row = local % columns, local // columns
+    column, row = link[i, COLUMN], link[i, ROW]
     elapsed = now - flight[i, T0]
     vx, vy = flight[i, VX], flight[i, VY]
     x, y = flight[i, X] + vx * elapsed, flight[i, Y] + vy * elapsed
@@ -120,7 +132,5 @@ def cross(
     else:
         step_y = 1 if vy > 0.0 else -1
     leave(link, head, i)
-    column = (column + step_x + columns) % columns
-    row = (row + step_y + rows) % rows
-    enter(link, head, i, levels[level, FIRST] + row * columns + column)
+    enter(link, head, levels, i, wrapped(column + step_x, columns), wrapped(row + step_y, rows))
     return step_x, step_y

@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box
+from gasbox.kernels.event_driven.cells import wrapped
 from gasbox.kernels.event_driven.flight import meeting_time
 from gasbox.kernels.event_driven.queue import pair_before
 from gasbox.kernels.event_driven.tables import (
-    CELL,
+    COLUMN,
     COLUMNS,
     FACTOR_X,
     FACTOR_Y,
@@ -23,6 +24,7 @@ from gasbox.kernels.event_driven.tables import (
     NEXT,
     PARTNER,
     RADIUS,
+    ROW,
     ROWS,
     STALE,
     T0,
@@ -112,10 +114,9 @@ def _look(
     along = 1.0 / box.height if box.periodic_y else 0.0
     tests = 0
     for row in range(below, above + 1):
-        base = first + (row + rows if row < 0 else row - rows if row >= rows else row) * columns
+        base = first + wrapped(row, rows) * columns
         for column in range(left, right + 1):
-            inside = column + columns if column < 0 else column - columns if column >= columns else column
-            j = head[base + inside]
+            j = head[base + wrapped(column, columns)]
             while j >= 0:
                 after = link[j, NEXT]
                 tests += 1
@@ -185,18 +186,19 @@ def survey(
         tables.counter,
     )
     own = link[i, LEVEL]
-    local = link[i, CELL] - levels[own, FIRST]
-    column, row = local % levels[own, COLUMNS], local // levels[own, COLUMNS]
+    column, row = link[i, COLUMN], link[i, ROW]
+    before_x = wrapped(column - step_x, levels[own, COLUMNS])
+    before_y = wrapped(row - step_y, levels[own, ROWS])
     for level in range(levels.shape[0]):
         coarse = max(own, level)
-        fx = levels[coarse, FACTOR_X] // levels[own, FACTOR_X]
-        fy = levels[coarse, FACTOR_Y] // levels[own, FACTOR_Y]
-        cx, cy = column // fx, row // fy
+        cx, cy, old_x, old_y = column, row, before_x, before_y
+        if level > own:
+            fx = levels[level, FACTOR_X] // levels[own, FACTOR_X]
+            fy = levels[level, FACTOR_Y] // levels[own, FACTOR_Y]
+            cx, cy, old_x, old_y = cx // fx, cy // fy, old_x // fx, old_y // fy
         columns, rows = levels[coarse, COLUMNS], levels[coarse, ROWS]
         left, right = span(cx, columns, box.periodic_x)
         below, above = span(cy, rows, box.periodic_y)
-        old_x = (column - step_x + levels[own, COLUMNS]) % levels[own, COLUMNS] // fx
-        old_y = (row - step_y + levels[own, ROWS]) % levels[own, ROWS] // fy
         left, right = _entered(step_x, old_x, cx, columns, box.periodic_x, left, right)
         below, above = _entered(step_y, old_y, cy, rows, box.periodic_y, below, above)
         grid = (
@@ -214,8 +216,8 @@ def survey(
             gy = levels[own, FACTOR_Y] // levels[level, FACTOR_Y]
             for block_y in range(cy + below, cy + above + 1):
                 for block_x in range(cx + left, cx + right + 1):
-                    at_x = (block_x + columns) % columns * gx
-                    at_y = (block_y + rows) % rows * gy
+                    at_x = wrapped(block_x, columns) * gx
+                    at_y = wrapped(block_y, rows) * gy
                     block = (at_x, at_x + gx - 1, at_y, at_y + gy - 1)
                     best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
     return best, who

@@ -16,7 +16,6 @@ from gasbox.kernels.event_driven.tables import (
     BUCKETS_PER_TIME,
     COLUMNS,
     CURRENT,
-    FIRST,
     HEAP,
     HORIZON,
     LABEL,
@@ -96,7 +95,7 @@ def rebuild(tables: Tables, box: Box, now: float, horizon: float, rate: float) -
         level = link[i, LEVEL]
         column = cell_of(x, levels[level, COLUMNS] / box.width, levels[level, COLUMNS])
         row = cell_of(y, levels[level, ROWS] / box.height, levels[level, ROWS])
-        enter(link, head, i, levels[level, FIRST] + row * levels[level, COLUMNS] + column)
+        enter(link, head, levels, i, column, row)
         link[i, PARTNER] = NOBODY
         link[i, PLACE] = NOWHERE
         flight[i, T_EVENT] = math.inf

@@ -17,13 +17,13 @@ from gasbox.kernels.event_driven.flight import wall_meeting
 from gasbox.kernels.event_driven.look import survey
 from gasbox.kernels.event_driven.queue import insert, remove, rise
 from gasbox.kernels.event_driven.tables import (
-    CELL,
+    COLUMN,
     COLUMNS,
-    FIRST,
     LEVEL,
     NOBODY,
     PARTNER,
     PREDICTIONS,
+    ROW,
     ROWS,
     STALE,
     T_EVENT,
@@ -63,8 +63,7 @@ def _at_wall(tables: Tables, box: Box, i: int) -> tuple[float, int]:
     """The next wall that particle i meets, looked for in the outermost cells only."""
     level = tables.link[i, LEVEL]
     columns, rows = tables.levels[level, COLUMNS], tables.levels[level, ROWS]
-    local = tables.link[i, CELL] - tables.levels[level, FIRST]
-    column, row = local % columns, local // columns
+    column, row = tables.link[i, COLUMN], tables.link[i, ROW]
     at_x = not box.periodic_x and (column == 0 or column == columns - 1)
     at_y = not box.periodic_y and (row == 0 or row == rows - 1)
     if at_x or at_y:

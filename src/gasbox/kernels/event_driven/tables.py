@@ -14,8 +14,9 @@ __all__ = ["Tables", "tables"]
 # Columns of `flight`, one row of 64 bytes a particle.
 X, Y, VX, VY, T0, RADIUS, T_EVENT, T_CROSS = range(8)
 # Columns of `link`, int32: neighbours in the list of the cell, the cell, the level, the partner of the next event,
-# neighbours in the bucket, the place in the queue; the row of the state, and the species.
-NEXT, PREV, CELL, LEVEL, PARTNER, Q_NEXT, Q_PREV, PLACE, LABEL, SPECIES = range(10)
+# neighbours in the bucket, the place in the queue; the row of the state, and the species; column
+# and row of the cell in its level.
+NEXT, PREV, CELL, LEVEL, PARTNER, Q_NEXT, Q_PREV, PLACE, LABEL, SPECIES, COLUMN, ROW = range(12)
 # Values of PARTNER below zero; wall w is WALL - w.
 NOBODY, STALE, WALL = -1, -2, -3
 # Values of PLACE below zero; bucket b of the ring is b, position p of the heap is p plus the size of the ring.
@@ -40,7 +41,7 @@ class Tables(NamedTuple):
     Attributes
     ----------
     flight : (n, 8) float64: reference position, velocity and time, radius, times of the next event and cell crossing
-    link : (n, 10) int32, see the columns above
+    link : (n, 12) int32, see the columns above
     mass : (n,) float64 [mass]
     head : (cells,) int32, first particle of each cell, -1 if empty
     ring : (buckets,) int32, first particle of each bucket of the calendar
@@ -103,7 +104,7 @@ def tables(
     cells = int((levels[:, COLUMNS] * levels[:, ROWS]).sum())
     flight = np.zeros((n, 8))
     flight[:, RADIUS] = radius
-    link = np.full((n, 10), -1, np.int32)
+    link = np.full((n, 12), -1, np.int32)
     link[:, LEVEL] = level
     link[:, LABEL] = np.arange(n)
     link[:, SPECIES] = species
