@@ -7,13 +7,14 @@ Starts the lab on a free port, lets the histograms settle, and ends it again.
 
 from __future__ import annotations
 
+import contextlib
 import re
 import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser, TimeoutError, sync_playwright
 
 from chromium import ARGUMENTS, advice, find_chromium
 
@@ -38,6 +39,11 @@ SERVE = (
 )
 SETTLE = 150.0
 """Simulated time [time] after which the histograms have forgotten their start."""
+CALM = (
+    "[...document.querySelectorAll('.readout')].some((one) => one.innerText.startsWith('frames')"
+    " && Number(one.innerText.split('\\n')[1]) >= 45) && !document.querySelector('.behind').innerText"
+)
+"""The page reaches its usual rate."""
 LARGEST = 400_000
 """Bytes of a picture in the repository."""
 
@@ -61,6 +67,8 @@ def shoot(browser: Browser, address: str, name: str, settings: dict[str, Any]) -
     page.get_by_role("option", name="5 s").click()
     page.mouse.move(1, 1)
     page.wait_for_timeout(6_000)
+    with contextlib.suppress(TimeoutError):  # on a busy machine the picture shows what there is
+        page.wait_for_function(CALM, timeout=60_000)
     page.screenshot(path=IMAGES / name)
     context.close()
     size = (IMAGES / name).stat().st_size

@@ -60,8 +60,9 @@ class Transport:
                 .mark("speed")
             )
             self._button("add", "Faster  ↑", "Faster", self.faster, "faster")
-            self._reading = ui.label().classes("reading number").mark("speed-reading")
-            self._behind = ui.label().classes("behind").props('role="status"').mark("behind")
+            with ui.element("div").classes("pace"):
+                self._reading = ui.label().classes("reading number").mark("speed-reading")
+                self._behind = ui.label().classes("behind").props('role="status"').mark("behind")
         self.refresh()
 
     def _button(self, icon: str, hint: str, name: str, action: object, marker: str) -> None:
@@ -112,10 +113,6 @@ class Transport:
 
     def show_reached(self, keeping_up: bool, reached: float | None) -> None:
         """Say so if the engine cannot keep up."""
-        text = (
-            ""
-            if keeping_up or reached is None
-            else f"can't keep up:\nreaches {times(float(f'{reached:.2g}'))}"
-        )
+        text = "" if keeping_up or reached is None else f"can't keep up: {times(float(f'{reached:.2g}'))}"
         if self._behind.text != text:
             self._behind.set_text(text)
