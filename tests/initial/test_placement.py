@@ -170,6 +170,24 @@ def test_listed_discs_stay_where_they_are(fraction):
     assert state.species.tolist() == [0, 1] + [0] * 280
 
 
+def test_listed_discs_stay_when_others_are_squeezed_in():
+    plain = gas([400, 400], [1, 1.1], 0.49).to_dict()
+    places = [[x + 5.5, y + 5.5] for x in range(0, 30, 6) for y in range(0, 30, 6)]
+    listed = {"species": ["0", "1"] * 12 + ["0"], "position": places}
+    species = [{**entry, "count": 388} for entry in plain["species"]]
+    state = is_populated(parse({**plain, "species": species, "particles": listed}))
+    assert state.position[:25].tolist() == places
+
+
+@pytest.mark.parametrize("unit", [1e-40, 1e-10, 1e30])
+def test_any_unit_of_length(unit):
+    plain, scaled = (
+        gas([100, 20], [1, 3], 0.4, periodic=("x",)),
+        gas([100, 20], [unit, 3 * unit], 0.4, periodic=("x",)),
+    )
+    assert populate(scaled).position / unit == pytest.approx(populate(plain).position, rel=1e-6)
+
+
 def test_listed_discs_may_overlap_and_are_wrapped():
     scenario = parse(
         {

@@ -107,6 +107,11 @@ def test_maxwell_distribution():
         assert stats.kstest(component / np.sqrt(2), "norm").pvalue > 1e-3
 
 
+def test_like_species_are_dealt_different_velocities():
+    velocity = populate(gas([{"count": 20, "temperature": 1}] * 2)).velocity
+    assert not np.isclose(velocity[:20], velocity[20:]).any()
+
+
 def test_a_new_species_leaves_the_others_alone():
     first = {"count": 20, "temperature": 1}
     alone, together = (

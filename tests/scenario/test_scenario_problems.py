@@ -262,6 +262,8 @@ def test_a_snapshot_that_fits(memory):
     snapshot = {"version": "1", "time": 0, "memory": memory, "tallies": TALLIES}
     scenario = {"container": BOX, "species": [GAS], "particles": LISTED, "snapshot": snapshot}
     assert parse(parse(scenario).to_json()) == parse(scenario)
+    turned = {**snapshot, "memory": dict(reversed(memory.items()))}
+    assert parse({**scenario, "snapshot": turned}).hash() == parse(scenario).hash()
 
 
 @pytest.mark.parametrize(
