@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import threading
 import time
 from typing import Any
@@ -208,3 +210,12 @@ def test_closing_ends_the_thread() -> None:
     assert threading.active_count() == before + 1
     session.close()
     assert threading.active_count() == before
+
+
+def test_session_wire_format_and_stream_know_no_page_framework() -> None:
+    program = """
+import sys
+import gasbox.app.protocol, gasbox.app.registry, gasbox.app.security, gasbox.app.session, gasbox.app.stream
+sys.exit("nicegui" in sys.modules)
+"""
+    assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
