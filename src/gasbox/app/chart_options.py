@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Any
 
@@ -15,7 +16,8 @@ __all__ = ["bar_rows", "changes", "curve_rows", "initial", "value_axis"]
 _INK = {"color": "var(--muted)", "fontSize": 11}
 _FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'
 _WHOLE = '(value) => value.toLocaleString("en").replaceAll(",", "\\u2009")'
-_ROUND = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)
+_ROUND = ((1.0, 2.0, 5.0), (2.5, 3.0, 4.0), (1.5, 6.0, 8.0))
+"""Leading digits of the distance of marks, the easiest to read first."""
 _TOOLTIP = """(shown) => {
   const [, count, low, high, expected] = shown[0].value;
   const short = (x) => String(+x.toPrecision(3));
@@ -109,9 +111,9 @@ def value_axis(low: float, high: float, quantity: str) -> dict[str, Any]:
 
 def _marks(length: float) -> tuple[float, bool]:
     """A round distance of marks, four to eight of them, and whether they divide the axis."""
-    for parts in (6, 5, 8, 4, 7):
+    for digits, parts in itertools.product(_ROUND, (6, 5, 4, 8, 7)):
         step = float(f"{length / parts:.9g}")
-        if float(f"{step:e}".partition("e")[0]) in _ROUND:
+        if float(f"{step:e}".partition("e")[0]) in digits:
             return step, True
     power = 10.0 ** math.floor(math.log10(length / 4))
     return max(unit * power for unit in (1.0, 2.0, 5.0) if unit * power <= length / 4), False
