@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from gases import assert_in_place, deepest_by_hand
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from placed_gases import assert_in_place, deepest_by_hand
 
 from gasbox.errors import ScenarioError
 from gasbox.geometry import Rectangle

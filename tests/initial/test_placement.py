@@ -6,9 +6,9 @@ import time
 
 import numpy as np
 import pytest
-from gases import assert_in_place, gas
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from placed_gases import assert_in_place, gas
 
 from gasbox.errors import ScenarioError
 from gasbox.initial import populate, worst_overlap
