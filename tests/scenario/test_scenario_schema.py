@@ -37,3 +37,11 @@ def test_every_key_is_known():
         assert set(load(name).to_dict()) <= set(described["properties"])
     assert described["required"] == ["container", "species"]
     assert "molecules" in described["description"]
+
+
+def test_ranges_are_those_of_json_schema():
+    described = schema()["$defs"]
+    count = described["Species"]["properties"]["count"]
+    assert (count["type"], count["minimum"], count["maximum"]) == ("integer", 0, 10_000_000)
+    assert described["RectangleContainer"]["properties"]["width"]["minimum"] > 0
+    assert described["Stepped"]["required"] == ["kind"]

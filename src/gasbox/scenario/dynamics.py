@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal
 
-from pydantic import Field
+from pydantic import ConfigDict, Field
+from pydantic.config import JsonDict
 
 from gasbox.scenario.values import Positive, Section
 
 __all__ = ["Dynamics", "EventDriven", "Stepped"]
 
+_KIND_REQUIRED: Final[JsonDict] = {"required": ["kind"]}
+"""In a file the kind must be said; in Python the class says it."""
+
 
 class Stepped(Section):
     """The classroom rule: move by `velocity * time_step`, then let touching, approaching pairs collide."""
+
+    model_config = ConfigDict(json_schema_extra=_KIND_REQUIRED)
 
     kind: Literal["stepped"] = "stepped"
     """Rule of motion."""
@@ -22,6 +28,8 @@ class Stepped(Section):
 
 class EventDriven(Section):
     """Exact: fly to the next collision, so that none is ever missed."""
+
+    model_config = ConfigDict(json_schema_extra=_KIND_REQUIRED)
 
     kind: Literal["event-driven"] = "event-driven"
     """Rule of motion."""

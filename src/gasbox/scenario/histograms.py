@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, Strict
 
-from gasbox.scenario.values import NotNegative, Positive, Section, Whole
+from gasbox.scenario.values import WHOLE, NotNegative, Positive, Section
 
 __all__ = ["Histograms"]
 
@@ -14,7 +14,7 @@ __all__ = ["Histograms"]
 class Histograms(Section):
     """Bins, range and quantity, the same for all species."""
 
-    bins: Annotated[Whole, Field(ge=1, le=1000)] = 30
+    bins: Annotated[int, Strict(), Field(ge=1, le=1000), WHOLE] = 30
     """Number of bins."""
     minimum: NotNegative = 0.0
     """Lower end of the axis, in the quantity's unit."""

@@ -17,8 +17,5 @@ def schema() -> dict[str, Any]:
         "A gas in a box: what is in it, how it moves, and how it is shown. "
         f"Kept for later and not available yet: {', '.join(sorted(KEYS))}."
     )
-    return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "gasbox scenario",
-        **described,
-    }
+    address = "https://json-schema.org/draft/2020-12/schema"
+    return {"$schema": address, **described, "title": "gasbox scenario"}

@@ -6,7 +6,7 @@ import hashlib
 import json
 from typing import Annotated, Any, Final, Literal, TypeVar
 
-from pydantic import Field, ModelWrapValidatorHandler, ValidationError, model_validator
+from pydantic import Field, ModelWrapValidatorHandler, Strict, ValidationError, model_validator
 from pydantic_core import ErrorDetails
 
 from gasbox.errors import Problem, ScenarioError
@@ -22,7 +22,7 @@ from gasbox.scenario.reserved import without_reserved
 from gasbox.scenario.rules import Parts, broken_rules
 from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Region, Species
-from gasbox.scenario.values import LARGEST_SPECIES, Positive, Section, Whole
+from gasbox.scenario.values import LARGEST_SPECIES, WHOLE, Positive, Section
 
 __all__ = ["Scenario"]
 
@@ -48,7 +48,7 @@ class Scenario(Section):
     """Title, in a few words."""
     watch_for: Annotated[str, Field(max_length=1000)] = ""
     """One sentence on what to watch for."""
-    seed: Annotated[Whole, Field(ge=0, lt=2**63)] = 0
+    seed: Annotated[int, Strict(), Field(ge=0, lt=2**63), WHOLE] = 0
     """Seed of all random numbers."""
     container: RectangleContainer
     """The box."""

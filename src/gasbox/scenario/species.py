@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, Strict
 
 from gasbox.geometry import Rectangle
 from gasbox.scenario.colors import PALETTE
-from gasbox.scenario.values import LARGEST_COUNT, Finite, NotNegative, Positive, Section, Vector, Whole
+from gasbox.scenario.values import LARGEST_COUNT, WHOLE, Finite, NotNegative, Positive, Section, Vector
 
 __all__ = ["Region", "Species"]
 
@@ -33,7 +33,7 @@ class Species(Section):
     """Radius of one disc [length]."""
     color: Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")] = PALETTE[0]
     """Colour as `#rrggbb`; without it, the next one of a palette."""
-    count: Annotated[Whole, Field(ge=0, le=LARGEST_COUNT)] = 0
+    count: Annotated[int, Strict(), Field(ge=0, le=LARGEST_COUNT), WHOLE] = 0
     """How many discs are placed at the start, without overlap."""
     temperature: NotNegative | None = None
     """Start with velocities of the Maxwell distribution at this temperature [mass·length²/time², k_B = 1]."""

@@ -11,12 +11,12 @@ __all__ = [
     "LARGEST_COUNT",
     "LARGEST_SPECIES",
     "LEAST",
+    "WHOLE",
     "Finite",
     "NotNegative",
     "Positive",
     "Section",
     "Vector",
-    "Whole",
 ]
 
 LEAST: Final = 1e-50
@@ -34,10 +34,12 @@ def _whole(value: Any) -> Any:
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
+WHOLE: Final = BeforeValidator(_whole)
+"""Stands last in the annotation of a whole number, after its range."""
+
 Finite = Annotated[float, Strict(), Field(allow_inf_nan=False, ge=-GREATEST, le=GREATEST)]
 Positive = Annotated[float, Strict(), Field(allow_inf_nan=False, ge=LEAST, le=GREATEST)]
 NotNegative = Annotated[float, Strict(), Field(allow_inf_nan=False, ge=0, le=GREATEST)]
-Whole = Annotated[int, BeforeValidator(_whole), Strict()]
 Vector = tuple[Finite, Finite]
 
 
