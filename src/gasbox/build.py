@@ -141,9 +141,11 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
     ----------
     progress : called before each part and at the end with (parts done, parts in all, name of the next part)
     """
-    parts: list[tuple[str, Callable[[], None]]] = [
-        ("placement", lambda: _compile_placement()),
+    parts: list[tuple[str, Callable[[], object]]] = [
+        ("placing discs", lambda: populate(_tiny("stepped"))),
+        ("finding overlaps", _part_tiny),
         ("stepped dynamics", lambda: _run_tiny("stepped")),
+        ("finding events", lambda: build(_tiny("event-driven"))),
         ("event-driven dynamics", lambda: _run_tiny("event-driven")),
     ]
     for done, (name, compile_part) in enumerate(parts):
@@ -155,11 +157,11 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
     mark_compiled()
 
 
-def _tiny(kind: str, shape: dict[str, object]) -> Scenario:
+def _tiny(kind: str) -> Scenario:
     return parse(
         {
             "format": "gasbox-scenario/1",
-            "container": {"shape": "rectangle", "width": 20, "height": 20, **shape},
+            "container": {"shape": "rectangle", "width": 20, "height": 20},
             "species": [
                 {"name": "small", "radius": 0.3, "count": 12, "temperature": 1},
                 {"name": "large", "radius": 2, "count": 2, "temperature": 1},
@@ -169,13 +171,15 @@ def _tiny(kind: str, shape: dict[str, object]) -> Scenario:
     )
 
 
-def _compile_placement() -> None:
-    parts = build(_tiny("event-driven", {}))
-    parts.state.position[1] = parts.state.position[0] + 0.01
-    separate(parts.state, parts.geometry)
+def _part_tiny() -> None:
+    scenario = _tiny("stepped")
+    state, geometry = populate(scenario), scenario.container.geometry()
+    state.position[1] = state.position[0] + 0.01
+    worst_overlap(state, geometry)
+    separate(state, geometry)
 
 
 def _run_tiny(kind: str) -> None:
-    parts = build(_tiny(kind, {}))
+    parts = build(_tiny(kind))
     parts.dynamics.contacts = Contacts.empty(8)
     parts.dynamics.advance(parts.state, 2.0)
