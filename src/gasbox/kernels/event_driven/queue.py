@@ -39,10 +39,9 @@ _Ints = NDArray[np.int32]
 @inlined_kernel
 def pair_before(link: _Ints, i: int, j: int, k: int, other: int) -> bool:
     """Whether the pair (i, j) ranks before the pair (k, other) at the same time: by lower, then higher label."""
-    a, b = link[i, LABEL], link[j, LABEL]
-    c, d = link[k, LABEL], link[other, LABEL]
-    low, low_other = min(a, b), min(c, d)
-    return low < low_other or (low == low_other and max(a, b) < max(c, d))
+    low, high = min(link[i, LABEL], link[j, LABEL]), max(link[i, LABEL], link[j, LABEL])
+    low_other = min(link[k, LABEL], link[other, LABEL])
+    return low < low_other or (low == low_other and high < max(link[k, LABEL], link[other, LABEL]))
 
 
 @inlined_kernel
