@@ -92,6 +92,8 @@ def test_summary(kind):
     assert summary["frames"] == 40
     assert summary["particles"] == 66
     assert summary["collisions"] == simulation.dynamics.tallies.pair_collisions.sum() > 0
+    assert summary["collision_rates"]["pairs"] == summary["collisions"] / 40.0
+    assert np.sum(summary["collision_rates"]["per_pair"]) == pytest.approx(summary["collisions"] / 40.0)
     assert summary["energy"] == pytest.approx(60 * 0.1 + 6 * 0.2, rel=1e-12)
     assert summary["temperature"] == pytest.approx(7.2 / 66, rel=1e-12)
     assert [s["count"] for s in summary["species"]] == [60, 6]

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from gasbox import observe
 from gasbox.scenario import Scenario, Stepped
+from gasbox.state import Tallies
 from gasbox.version import __version__
 
 if TYPE_CHECKING:
@@ -46,6 +47,7 @@ def summary(simulation: Simulation) -> dict[str, Any]:
         "pressure_virial": observe.virial_pressure(
             change, geometry, size, counts, temperature=temperature, duration=duration
         ),
+        "collision_rates": _rates(change, duration),
         "mean_free_path": observe.mean_free_path(change, counts, means, duration),
         "species": [_species(simulation, k, int(counts[k])) for k in range(size.size)],
         "wall_seconds": seconds,
@@ -55,6 +57,13 @@ def summary(simulation: Simulation) -> dict[str, Any]:
         "version": __version__,
         "scenario_hash": simulation.scenario.hash(),
     }
+
+
+def _rates(change: Tallies, duration: float) -> dict[str, Any] | None:
+    rates = observe.collision_rates(change, duration)
+    if rates is None:
+        return None
+    return {"pairs": rates.pairs, "walls": rates.walls, "per_pair": rates.per_pair.tolist()}
 
 
 def _species(simulation: Simulation, k: int, count: int) -> dict[str, Any]:
