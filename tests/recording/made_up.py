@@ -40,12 +40,12 @@ def frame(number: int, count: int, seed: int = 1) -> Frame:
     tallies = Tallies(
         generator.normal(size=1),
         generator.integers(0, 2**62, (2, 2)),
-        generator.normal(size=(4, 2)),
+        np.abs(generator.normal(size=(4, 2))),
         generator.integers(0, 2**62, (4, 2)),
     )
     memory = {
         "epoch": int(generator.integers(-(2**62), 2**62)),
-        "step_left": float(generator.normal()),
+        "epoch_length": float(np.exp(generator.normal())),
         "position": generator.normal(size=(count, 2)),
         "velocity": generator.normal(size=(count, 2)),
         "time": generator.normal(size=count),
