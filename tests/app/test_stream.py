@@ -171,6 +171,19 @@ def test_a_page_loaded_again_goes_on_with_its_gas(server: FrameServer) -> None:
     assert server.registry.find(old.id) is None
 
 
+def test_the_old_socket_may_close_after_the_new_one_has_opened(server: FrameServer) -> None:
+    scenario = gas()
+    old, new = server.registry.open(scenario), server.registry.open(scenario)
+    with connect(server.url(old)) as leaving:
+        last = next_frame(leaving)
+        simulation = old._show.simulation
+        with connect(server.url(new, f"?previous={old.id}")) as client:
+            time.sleep(0.1)
+            leaving.close()
+            assert next_frame(client).time >= last.time
+            assert new._show.simulation is simulation
+
+
 def test_a_guessed_id_is_turned_away(server: FrameServer) -> None:
     with connect(f"ws://127.0.0.1:{server.port}/gasbox/frames/guessed") as client:
         assert json.loads(str(client.recv(timeout=5)))["kind"] == "gone"

@@ -19,6 +19,8 @@ __all__ = ["GONE", "PATH", "serve_frames"]
 PATH: Final = "/gasbox/frames/{session_id}"
 GONE, BUSY, REPLACED = 4404, 4503, 4409
 """Close codes: no such session (load the page again), no room (try again later), another socket took over."""
+_PARTING: Final = 0.5
+"""Seconds for the socket of an earlier load of the same tab to close."""
 _LONGEST_MESSAGE: Final = 1000
 """Characters; what a browser has to say on this socket is short."""
 
@@ -46,8 +48,17 @@ async def serve_frames(socket: WebSocket, registry: Registry, session_id: str, p
 
 async def _seat(registry: Registry, session: Session, previous: str | None) -> None:
     if previous and not session.started:
+        await _parting(registry.find(previous))
         await asyncio.to_thread(registry.inherit, session, previous)
     session.start()
+
+
+async def _parting(previous: Session | None) -> None:
+    """Wait a moment: of a page that is loaded again, the old socket may close after the new one has opened."""
+    patience = _PARTING
+    while previous is not None and previous.audience.attached and patience > 0:
+        await asyncio.sleep(0.02)
+        patience -= 0.02
 
 
 async def _refuse(socket: WebSocket, code: int, text: str) -> None:
