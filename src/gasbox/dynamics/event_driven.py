@@ -107,12 +107,12 @@ class EventDriven:
         self._rebuild(state.time - self._start)
 
     def _expected_rate(self, state: State) -> float:
-        """Events per time to expect before any were counted: each disc crosses its own spacing about twice."""
+        """Events per time to expect before any were counted; rather too many, since empty buckets cost little."""
         if not state.count:
             return 1.0
         speed = math.sqrt(float((state.velocity**2).sum(axis=1).mean()))
         spacing = math.sqrt(self._geometry.area / state.count)
-        return max(2.0 * state.count * speed / spacing, 1.0 / self._epoch_length)
+        return max(8.0 * state.count * speed / spacing, 1.0 / self._epoch_length)
 
     def _rebuild(self, now: float) -> None:
         """Sort the rows, then find all events anew: tuning only, it touches no reference and so no bit."""
