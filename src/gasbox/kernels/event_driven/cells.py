@@ -86,6 +86,28 @@ def _time_to_cross(
 
 
 @inlined_kernel
+def _times_to_cross(
+    flight: NDArray[np.float64],
+    link: NDArray[np.int32],
+    levels: NDArray[np.int64],
+    sides: NDArray[np.float64],
+    box: Box,
+    i: int,
+    now: float,
+) -> tuple[float, float]:
+    """Time from `now` until particle `i` leaves its cell sideways, and up or down."""
+    level = link[i, LEVEL]
+    columns, rows = levels[level, COLUMNS], levels[level, ROWS]
+    elapsed = now - flight[i, T0]
+    vx, vy = flight[i, VX], flight[i, VY]
+    x, y = flight[i, X] + vx * elapsed, flight[i, Y] + vy * elapsed
+    return (
+        _time_to_cross(x, vx, link[i, COLUMN], columns, sides[level, 0], box.width, box.periodic_x),
+        _time_to_cross(y, vy, link[i, ROW], rows, sides[level, 1], box.height, box.periodic_y),
+    )
+
+
+@inlined_kernel
 def schedule_crossing(
     flight: NDArray[np.float64],
     link: NDArray[np.int32],
@@ -96,13 +118,7 @@ def schedule_crossing(
     now: float,
 ) -> None:
     """Set the time at which particle `i` leaves its cell."""
-    level = link[i, LEVEL]
-    columns, rows = levels[level, COLUMNS], levels[level, ROWS]
-    elapsed = now - flight[i, T0]
-    vx, vy = flight[i, VX], flight[i, VY]
-    x, y = flight[i, X] + vx * elapsed, flight[i, Y] + vy * elapsed
-    along_x = _time_to_cross(x, vx, link[i, COLUMN], columns, sides[level, 0], box.width, box.periodic_x)
-    along_y = _time_to_cross(y, vy, link[i, ROW], rows, sides[level, 1], box.height, box.periodic_y)
+    along_x, along_y = _times_to_cross(flight, link, levels, sides, box, i, now)
     flight[i, T_CROSS] = now + min(along_x, along_y)
 
 
@@ -118,19 +134,15 @@ def cross(
     now: float,
 ) -> tuple[int, int]:
     """Move particle `i` into the cell that it enters at time `now`; return the direction (-1, 0 or 1 in x and y)."""
-    level = link[i, LEVEL]
-    columns, rows = levels[level, COLUMNS], levels[level, ROWS]
-    column, row = link[i, COLUMN], link[i, ROW]
-    elapsed = now - flight[i, T0]
-    vx, vy = flight[i, VX], flight[i, VY]
-    x, y = flight[i, X] + vx * elapsed, flight[i, Y] + vy * elapsed
-    along_x = _time_to_cross(x, vx, column, columns, sides[level, 0], box.width, box.periodic_x)
-    along_y = _time_to_cross(y, vy, row, rows, sides[level, 1], box.height, box.periodic_y)
+    along_x, along_y = _times_to_cross(flight, link, levels, sides, box, i, now)
     step_x, step_y = 0, 0
     if along_x <= along_y:
-        step_x = 1 if vx > 0.0 else -1
+        step_x = 1 if flight[i, VX] > 0.0 else -1
     else:
-        step_y = 1 if vy > 0.0 else -1
+        step_y = 1 if flight[i, VY] > 0.0 else -1
+    level = link[i, LEVEL]
+    column = wrapped(link[i, COLUMN] + step_x, levels[level, COLUMNS])
+    row = wrapped(link[i, ROW] + step_y, levels[level, ROWS])
     leave(link, head, i)
-    enter(link, head, levels, i, wrapped(column + step_x, columns), wrapped(row + step_y, rows))
+    enter(link, head, levels, i, column, row)
     return step_x, step_y
