@@ -2,20 +2,49 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gasbox import observe
+from gasbox.geometry import Rectangle
+from gasbox.protocols import Dynamics
 from gasbox.scenario import Scenario, Stepped
-from gasbox.state import Tallies
+from gasbox.state import State, Tallies
 from gasbox.version import __version__
 
-if TYPE_CHECKING:
-    from gasbox.simulation.simulation import Simulation
-
 __all__ = ["radii", "summary"]
+
+
+class Run(Protocol):
+    """What a summary needs to know of a `Simulation`."""
+
+    scenario: Scenario
+    state: State
+    geometry: Rectangle
+    dynamics: Dynamics
+    frame: int
+    start_time: float
+    start_tallies: Tallies
+    wall_seconds: float
+    warnings: tuple[str, ...]
+
+    def temperature(self) -> float | None:
+        """As `Simulation.temperature`."""
+        ...
+
+    def pressure(self) -> float | None:
+        """As `Simulation.pressure`."""
+        ...
+
+    def energy(self) -> float:
+        """As `Simulation.energy`."""
+        ...
+
+    def momentum(self) -> tuple[float, float]:
+        """As `Simulation.momentum`."""
+        ...
 
 
 def radii(scenario: Scenario) -> NDArray[np.float64]:
@@ -23,11 +52,11 @@ def radii(scenario: Scenario) -> NDArray[np.float64]:
     return np.array([species.radius for species in scenario.species], np.float64)
 
 
-def summary(simulation: Simulation) -> dict[str, Any]:
+def summary(simulation: Run) -> dict[str, Any]:
     """Numbers of a run so far; those measured in time belong to this run alone. None where there is no value."""
     state, geometry = simulation.state, simulation.geometry
     change = simulation.dynamics.tallies - simulation.start_tallies
-    duration = simulation.time - simulation.start_time
+    duration = simulation.state.time - simulation.start_time
     collisions = int(change.pair_collisions.sum())
     seconds = simulation.wall_seconds
     size = radii(simulation.scenario)
@@ -35,7 +64,7 @@ def summary(simulation: Simulation) -> dict[str, Any]:
     temperature = simulation.temperature()
     means = np.array([observe.mean_speed(state, k) or 0.0 for k in range(size.size)])
     return {
-        "time": simulation.time,
+        "time": simulation.state.time,
         "frames": simulation.frame,
         "particles": state.count,
         "collisions": collisions,
@@ -66,7 +95,7 @@ def _rates(change: Tallies, duration: float) -> dict[str, Any] | None:
     return {"pairs": rates.pairs, "walls": rates.walls, "per_pair": rates.per_pair.tolist()}
 
 
-def _species(simulation: Simulation, k: int, count: int) -> dict[str, Any]:
+def _species(simulation: Run, k: int, count: int) -> dict[str, Any]:
     state, geometry = simulation.state, simulation.geometry
     center = observe.center_of_mass(state, geometry, k)
     return {
@@ -79,7 +108,7 @@ def _species(simulation: Simulation, k: int, count: int) -> dict[str, Any]:
     }
 
 
-def _particle_steps(simulation: Simulation, duration: float) -> float | None:
+def _particle_steps(simulation: Run, duration: float) -> float | None:
     dynamics = simulation.scenario.dynamics
     if not isinstance(dynamics, Stepped):
         return None
