@@ -148,3 +148,16 @@ def test_energy_and_momentum_are_exact_per_collision():
     assert energy(state) == pytest.approx(before, rel=done * 4.4e-16)
     after = (state.mass[:, None] * state.velocity).sum(axis=0)
     assert np.abs(after - momentum).max() < scale * done * 4.4e-16
+
+
+def test_a_heap_of_discs_has_more_touching_pairs_than_room_was_made_for():
+    rng = np.random.default_rng(2)
+    state = state_of(20 + rng.uniform(-1, 1, (40, 2)), rng.normal(size=(40, 2)))
+    twin = SteppedTwin(state.copy(), BOX, 0.05)
+    for _ in range(10):
+        twin.step()
+    dynamics = stepped(state, BOX, contacts=5)
+    collect(dynamics, state, 0.5)
+    assert twin.lingering > 10 * (2 * 40 + 64)  # far more pairs touch in a step than the first list holds
+    assert collisions(dynamics) > 50
+    assert np.array_equal(state.velocity, twin.state.velocity)
