@@ -39,3 +39,20 @@ def test_the_same_events_to_the_bit(name, seed):
     assert np.array_equal(state.position, twin.position(until))
     assert np.array_equal(state.velocity, twin.v)
     assert deepest_overlap(state, geometry) < 1e-9
+
+
+@pytest.mark.parametrize("periodic", [(False, False), (True, True), (True, False)])
+@pytest.mark.parametrize("seed", [3, 4, 5])
+def test_large_among_many_small_ones(periodic, seed):
+    """Size ratios of 25 and 5, fast small discs: rings of cells around the large ones hide no meeting."""
+    geometry = Rectangle(9, 8, *periodic)
+    radii = [1.25, 1.0, 0.25, 0.25] + [0.05] * 60
+    state = random_gas(seed, geometry, radii, [100.0, 60.0, 4.0, 4.0] + [0.1] * 60)
+    twin = EventDrivenTwin(state, geometry)
+    engine = event_driven(state, geometry, contacts=7)
+    twin.run(0.6)
+    rows = collect(engine, state, 0.6)
+    executed = [(time, 1 if kind == 0 else 2, first, second) for kind, time, first, second, _, _ in rows]
+    assert sum(event[2] < 2 for event in executed) >= 3
+    assert executed == twin.events
+    assert np.array_equal(state.position, twin.position(0.6))

@@ -10,6 +10,7 @@ from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import DONE, FULL, NO_PROGRESS, Box, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange
 from gasbox.kernels.event_driven.cells import cross, schedule_crossing
+from gasbox.kernels.event_driven.flight import note_speed
 from gasbox.kernels.event_driven.queue import earliest, remove
 from gasbox.kernels.event_driven.search import predict, predict_entered, release
 from gasbox.kernels.event_driven.tables import (
@@ -84,6 +85,8 @@ def _collide(tables: Tables, box: Box, book: Ledger, i: int, j: int, now: float,
     flight[i, VY] -= change_i * dy
     flight[j, VX] += change_j * dx
     flight[j, VY] += change_j * dy
+    note_speed(flight, tables.number, i)
+    note_speed(flight, tables.number, j)
     link = tables.link
     book_pair(
         book,

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import inlined_kernel
-from gasbox.kernels.event_driven.tables import RADIUS, T0, VX, VY, WALL, X, Y
+from gasbox.kernels.event_driven.tables import FASTEST, RADIUS, T0, VX, VY, WALL, X, Y
 
-__all__ = ["GRAZING", "meeting_time", "wall_meeting"]
+__all__ = ["GRAZING", "meeting_time", "note_speed", "wall_meeting"]
 
 GRAZING = 1e-24
 """A pair whose approach along the line of centres, at contact, is below 1e-12 of its relative speed passes: it would
@@ -75,3 +75,10 @@ def wall_meeting(
             if t < time:
                 time, code = t, WALL - 3
     return time, code
+
+
+@inlined_kernel
+def note_speed(flight: NDArray[np.float64], number: NDArray[np.float64], i: int) -> None:
+    """Keep the speed that no disc exceeds up to date with disc `i`."""
+    speed = math.sqrt(flight[i, VX] * flight[i, VX] + flight[i, VY] * flight[i, VY])
+    number[FASTEST] = max(number[FASTEST], speed)

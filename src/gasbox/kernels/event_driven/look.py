@@ -17,6 +17,7 @@ from gasbox.kernels.event_driven.tables import (
     COLUMNS,
     FACTOR_X,
     FACTOR_Y,
+    FASTEST,
     FIRST,
     IMAGES_X,
     IMAGES_Y,
@@ -155,6 +156,63 @@ def _look(
 
 
 @inlined_kernel
+def _finer(x: float, cell: int, side: float, fine: float, length: float, periodic: bool) -> int:
+    """Number of the finer cell (of width `fine`) that holds the coordinate, inside a cell of width `side`."""
+    within = x - cell * side
+    if periodic:
+        within -= length * np.rint((within - 0.5 * side) / length)
+    parts = int(side / fine + 0.5)
+    return cell * parts + min(max(int(within / fine), 0), parts - 1)
+
+
+@bare_kernel
+def _look_around(
+    tables: Tables,
+    box: Box,
+    i: int,
+    now: float,
+    level: int,
+    grid: tuple[int, int, int, int, int],
+    block: tuple[int, int, int, int],
+    best: float,
+    who: int,
+) -> tuple[float, int]:
+    """Look for smaller discs in a block of finer cells, in square rings around i, until none could come in time."""
+    flight, link, head, counter = tables.flight, tables.link, tables.head, tables.counter
+    left, right, below, above = block
+    side_x, side_y = tables.sides[level, 0], tables.sides[level, 1]
+    side, radius = min(side_x, side_y), flight[i, RADIUS]
+    # The finer cell of the centre, counted from the disc's own cell: rounding at a periodic side does no harm.
+    own = link[i, LEVEL]
+    elapsed = now - flight[i, T0]
+    x = flight[i, X] + flight[i, VX] * elapsed
+    y = flight[i, Y] + flight[i, VY] * elapsed
+    column = _finer(x, link[i, COLUMN], tables.sides[own, 0], side_x, box.width, box.periodic_x)
+    row = _finer(y, link[i, ROW], tables.sides[own, 1], side_y, box.height, box.periodic_y)
+    speed = tables.number[FASTEST] * 2.0000000001
+    last = max(right - column, column - left, above - row, row - below)
+    ring = max(int(radius / (1.5 * max(side_x, side_y))) - 1, 0)
+    while ring <= last:
+        # Centres in this ring are at least ring - 1 cells away; no disc of the level is wider than a cell; a margin.
+        gap = (ring - 1.501) * side - radius
+        if gap > 0.0 and now + gap / speed > best:
+            break
+        for edge in range(4):
+            if edge < 2:
+                line = row - ring if edge == 0 else row + ring
+                part = (max(column - ring, left), min(column + ring, right), line, line)
+                present = below <= line <= above and (ring > 0 or edge == 0)
+            else:
+                line = column - ring if edge == 2 else column + ring
+                part = (line, line, max(row - ring + 1, below), min(row + ring - 1, above))
+                present = left <= line <= right and ring > 0
+            if present:
+                best, who = _look(flight, link, head, counter, box, i, now, grid, part, best, who)
+        ring += 1
+    return best, who
+
+
+@inlined_kernel
 def _entered(
     step: int, old: int, cell: int, cells: int, periodic: bool, low: int, high: int
 ) -> tuple[int, int]:
@@ -212,12 +270,17 @@ def survey(
             block = (cx + left, cx + right, cy + below, cy + above)
             best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
         else:
-            gx = levels[own, FACTOR_X] // levels[level, FACTOR_X]
-            gy = levels[own, FACTOR_Y] // levels[level, FACTOR_Y]
-            for block_y in range(cy + below, cy + above + 1):
-                for block_x in range(cx + left, cx + right + 1):
-                    at_x = wrapped(block_x, columns) * gx
-                    at_y = wrapped(block_y, rows) * gy
-                    block = (at_x, at_x + gx - 1, at_y, at_y + gy - 1)
-                    best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
+            fine_x = levels[own, FACTOR_X] // levels[level, FACTOR_X]
+            fine_y = levels[own, FACTOR_Y] // levels[level, FACTOR_Y]
+            block = (
+                (cx + left) * fine_x,
+                (cx + right + 1) * fine_x - 1,
+                (cy + below) * fine_y,
+                (cy + above + 1) * fine_y - 1,
+            )
+            seen_twice = (box.periodic_x and columns < 3) or (box.periodic_y and rows < 3)
+            if step_x != 0 or step_y != 0 or seen_twice:
+                best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
+            else:
+                best, who = _look_around(tables, box, i, now, level, grid, block, best, who)
     return best, who

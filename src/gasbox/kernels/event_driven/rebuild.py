@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas
 from gasbox.kernels.event_driven.cells import enter, schedule_crossing
+from gasbox.kernels.event_driven.flight import note_speed
 from gasbox.kernels.event_driven.queue import remove
 from gasbox.kernels.event_driven.search import predict_entered
 from gasbox.kernels.event_driven.tables import (
     BUCKETS_PER_TIME,
     COLUMNS,
     CURRENT,
+    FASTEST,
     HEAP,
     HORIZON,
     LABEL,
@@ -86,6 +88,9 @@ def rebuild(tables: Tables, box: Box, now: float, horizon: float, rate: float) -
     tables.counter[HEAP] = 0
     tables.number[HORIZON] = horizon
     tables.number[NOW] = now
+    tables.number[FASTEST] = 0.0
+    for i in range(flight.shape[0]):
+        note_speed(flight, tables.number, i)
     tables.number[BUCKETS_PER_TIME] = rate
     tables.counter[CURRENT] = int(now * rate)
     for i in range(flight.shape[0]):

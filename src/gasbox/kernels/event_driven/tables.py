@@ -26,12 +26,12 @@ COLUMNS, ROWS, FIRST, IMAGES_X, IMAGES_Y, FACTOR_X, FACTOR_Y = range(7)
 # Entries of `counter`: current bucket, size of the heap, events, pair tests, predictions, crossings, stale events; the
 # number of events at which the rows want sorting.
 CURRENT, HEAP, EVENTS, TESTS, PREDICTIONS, CROSSINGS, STALES, SORT_AT = range(8)
-# Entries of `number`: buckets per time, end of the epoch, time of the last event.
-BUCKETS_PER_TIME, HORIZON, NOW = range(3)
+# Entries of `number`: buckets per time, end of the epoch, time of the last event, a speed that no disc exceeds.
+BUCKETS_PER_TIME, HORIZON, NOW, FASTEST = range(4)
 
 
 _SPACINGS = 0.7
-# Width of a cell, in mean distances of the discs of a level; measured: wider cells cost tests, narrower ones crossings.
+# Width of a finest cell, in mean distances of its discs; measured: wider cells cost tests, narrower ones crossings.
 
 
 class Tables(NamedTuple):
@@ -47,7 +47,7 @@ class Tables(NamedTuple):
     ring : (buckets,) int32, first particle of each bucket of the calendar
     heap : (n,) int32, the particles whose events lie in the current bucket
     levels : (levels, 7) int64 and sides : (levels, 2) float64 [length], the grids, finest first
-    counter : (8,) int64; number : (3,) float64
+    counter : (8,) int64; number : (4,) float64
     """
 
     flight: NDArray[np.float64]
@@ -70,7 +70,8 @@ def _grids(
 ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Nested grids: each cell of a coarser level is divided into whole cells of the next finer one."""
     members = np.maximum(np.bincount(level, minlength=largest.size), 1)
-    wanted = np.maximum(2.0 * largest * (1 + 1e-6), _SPACINGS * np.sqrt(size[0] * size[1] / members))
+    wanted = 2.0 * largest * (1 + 1e-6)
+    wanted[0] = max(wanted[0], _SPACINGS * np.sqrt(size[0] * size[1] / members[0]))
     count = largest.size
     levels = np.zeros((count, 7), np.int64)
     sides = np.zeros((count, 2))
@@ -119,5 +120,5 @@ def tables(
         levels,
         sides,
         np.zeros(8, np.int64),
-        np.ones(3),
+        np.ones(4),
     )
