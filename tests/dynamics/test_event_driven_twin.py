@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from gases import collect, deepest_overlap, event_driven, random_gas
+from gases import collect, deepest_overlap, event_driven, random_gas, state_of
 from twins import EventDrivenTwin
 
 from gasbox.geometry import Rectangle
@@ -56,3 +56,19 @@ def test_large_among_many_small_ones(periodic, seed):
     assert sum(event[2] < 2 for event in executed) >= 3
     assert executed == twin.events
     assert np.array_equal(state.position, twin.position(0.6))
+
+
+def test_a_small_disc_farther_off_that_is_met_first():
+    """Pushed, a large disc meets one in an outer ring of cells before the one that it found in an inner ring."""
+    geometry = Rectangle(20, 8)
+    crowd = [[x, y] for x in np.arange(8.5, 19.5, 0.6) for y in np.arange(0.5, 7.6, 0.5)]
+    state = state_of(
+        [[4, 4], [2.55, 4], [6.02, 4], [5.52, 5], *crowd],
+        [[0, 0], [2, 0]] + [[0, 0]] * (2 + len(crowd)),
+        [1.0, 0.25, 0.05, 0.05] + [0.05] * len(crowd),
+        [1.0, 1.0, 0.01, 0.01] + [0.01] * len(crowd),
+    )
+    engine = event_driven(state, geometry, contacts=7)
+    rows = collect(engine, state, 0.65)
+    assert [row[2:4] for row in rows[:2]] == [(0, 1), (0, 2)]
+    assert rows[1][1] == pytest.approx(0.585)
