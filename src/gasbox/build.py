@@ -34,8 +34,8 @@ class Parts:
     warnings: tuple[str, ...]
 
 
-def build(scenario: Scenario) -> Parts:
-    """All parts for a scenario or a snapshot.
+def build(scenario: Scenario, threads: int | None = None) -> Parts:
+    """All parts for a scenario or a snapshot; `threads` as for `Simulation`.
 
     Raises
     ------
@@ -48,7 +48,7 @@ def build(scenario: Scenario) -> Parts:
     memory = _memory(scenario)
     if isinstance(scenario.dynamics, EventDriven) and memory is None:
         _part(state, geometry, scenario, warnings)
-    dynamics = _dynamics(scenario, state, geometry, memory)
+    dynamics = _dynamics(scenario, state, geometry, memory, threads)
     if isinstance(scenario.dynamics, Stepped):
         warnings += _tunnelling(state, scenario.dynamics.time_step)
     return Parts(state, geometry, dynamics, _frame_interval(scenario, state, geometry), tuple(warnings))
@@ -66,12 +66,14 @@ def _memory(scenario: Scenario) -> Memory | None:
             return memory if "epoch" in memory else None
 
 
-def _dynamics(scenario: Scenario, state: State, geometry: Rectangle, memory: Memory | None) -> Dynamics:
+def _dynamics(
+    scenario: Scenario, state: State, geometry: Rectangle, memory: Memory | None, threads: int | None
+) -> Dynamics:
     tallies = _tallies(scenario.snapshot, len(scenario.species), len(Rectangle.WALLS))
     contacts = Contacts.empty(0)
     match scenario.dynamics:
         case Stepped(time_step=time_step):
-            return rules.Stepped(state, geometry, time_step, tallies, contacts, memory)
+            return rules.Stepped(state, geometry, time_step, tallies, contacts, memory, threads)
         case EventDriven():
             return rules.EventDriven(state, geometry, tallies, contacts, memory)
 

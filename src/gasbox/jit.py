@@ -17,7 +17,15 @@ from typing import Any, TypeVar, cast
 import numba
 import numba.core.config
 
-__all__ = ["bare_kernel", "cache_folder", "inlined_kernel", "kernel", "mark_compiled", "was_compiled"]
+__all__ = [
+    "bare_kernel",
+    "cache_folder",
+    "inlined_kernel",
+    "is_compiling",
+    "kernel",
+    "mark_compiled",
+    "was_compiled",
+]
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _config: Any = numba.core.config
@@ -74,17 +82,22 @@ def _compiled(function: _Function, **options: bool) -> _Function:
     return cast(_Function, compiled)
 
 
+def is_compiling() -> bool:
+    """Whether kernels are compiled; False where NUMBA_DISABLE_JIT leaves them plain Python."""
+    return not _config.DISABLE_JIT
+
+
 def _mark() -> Path:
     return cache_folder() / "compiled"
 
 
 def was_compiled() -> bool:
     """Whether `mark_compiled` was reached for these kernel sources on this machine."""
-    return bool(_config.DISABLE_JIT) or _mark().exists()
+    return not is_compiling() or _mark().exists()
 
 
 def mark_compiled() -> None:
     """Note that all kernels have been compiled and cached."""
-    if not _config.DISABLE_JIT:
+    if is_compiling():
         _mark().parent.mkdir(parents=True, exist_ok=True)
         _mark().touch()

@@ -33,7 +33,8 @@ def _simulate(scenario: Scenario) -> Simulation:
     # Imported here: numba and the kernels come in while the page is already being served.
     from gasbox.simulation import Simulation
 
-    return Simulation(scenario)
+    # One thread: the other processors are for the frames, the charts and the browser.
+    return Simulation(scenario, threads=1)
 
 
 class Session:

@@ -33,6 +33,7 @@ class Journey:
     record : file of the recording, or None
     record_every : time between recorded frames [time]; None records every frame
     snapshot : file for the state at the end, or None
+    threads : how many work together; None for as many as are worth it
     """
 
     until: float | None = None
@@ -40,6 +41,7 @@ class Journey:
     record: Path | None = None
     record_every: float | None = None
     snapshot: Path | None = None
+    threads: int | None = None
 
 
 @dataclass(frozen=True)
@@ -64,7 +66,7 @@ def travel(source: Source, journey: Journey, as_json: bool) -> None:
         raise UsageError("--record-every needs --record FILE.h5")
     check_outputs(source.path, journey.record, journey.snapshot, source.scenario.snapshot is not None)
     compile_first()
-    simulation = Simulation(source.scenario)
+    simulation = Simulation(source.scenario, threads=journey.threads)
     warn(simulation.warnings)
     arrival = _travel(simulation, journey)
     if journey.snapshot is not None:

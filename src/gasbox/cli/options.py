@@ -17,6 +17,7 @@ __all__ = [
     "Seed",
     "Settings",
     "SnapshotFile",
+    "Threads",
     "Until",
 ]
 
@@ -47,6 +48,10 @@ Seed: TypeAlias = Annotated[int | None, typer.Option("--seed", help="Another see
 Settings: TypeAlias = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="PATH=VALUE", help="Change a field: species.0.count=500. Repeatable."),
+]
+Threads: TypeAlias = Annotated[
+    int | None,
+    typer.Option("--threads", metavar="N", help="Threads that work together; they change no result."),
 ]
 Json: TypeAlias = Annotated[
     bool, typer.Option("--json", help="Print the summary as one JSON object, and nothing else.")

@@ -25,6 +25,7 @@ def resume(
     snapshot: options.SnapshotFile = None,
     seed: options.Seed = None,
     settings: options.Settings = None,
+    threads: options.Threads = None,
     json: options.Json = False,
 ) -> None:
     """Go on from a snapshot or a recording, with the same bits as if it had not been stopped."""
@@ -32,4 +33,4 @@ def resume(
     from gasbox.cli.source import Changes, from_saved
 
     start = from_saved(file, at, Changes(settings or [], seed, frame))
-    travel(start, Journey(until, frames, record, record_every, snapshot), json)
+    travel(start, Journey(until, frames, record, record_every, snapshot, threads), json)

@@ -17,6 +17,7 @@ def run(
     snapshot: options.SnapshotFile = None,
     seed: options.Seed = None,
     settings: options.Settings = None,
+    threads: options.Threads = None,
     json: options.Json = False,
 ) -> None:
     """Run a scenario without a page, and print what it came to."""
@@ -24,4 +25,4 @@ def run(
     from gasbox.cli.source import Changes, from_scenario
 
     start = from_scenario(scenario, Changes(settings or [], seed, frame))
-    travel(start, Journey(until, frames, record, record_every, snapshot), json)
+    travel(start, Journey(until, frames, record, record_every, snapshot, threads), json)

@@ -6,13 +6,20 @@ import math
 
 import numpy as np
 
+from gasbox.dynamics.team import Team, processors
 from gasbox.geometry import Rectangle
 from gasbox.kernels import arguments, stepped
-from gasbox.kernels.grid import grid
 from gasbox.protocols import Status
 from gasbox.state import Contacts, Memory, State, Tallies
 
 __all__ = ["Stepped"]
+
+_FEW = 5_000
+"""Particles a thread below which more threads are not worth their meetings."""
+
+
+def _fitting_threads(particles: int) -> int:
+    return max(1, min(processors(), particles // _FEW))
 
 
 class Stepped:
@@ -27,6 +34,8 @@ class Stepped:
     time_step : [time]
     tallies, contacts : where collisions are booked
     memory : ``step``, for going on from a snapshot
+    threads : how many work together; None takes as many as there are processors if there are many particles.
+        It changes no bit.
     """
 
     def __init__(
@@ -37,18 +46,21 @@ class Stepped:
         tallies: Tallies,
         contacts: Contacts,
         memory: Memory | None = None,
+        threads: int | None = None,
     ) -> None:
         self.time_step = time_step
         self.tallies = tallies
         self.contacts = contacts
         self._box = arguments.box(geometry)
+        self._threads = threads
         self._clock = np.array([int(memory["step"]) if memory else 0], np.int64)
         self.resync(state)
 
     def resync(self, state: State) -> None:
         """Take over the particles of `state`."""
-        self._grid = grid(state.radius, self._box.width, self._box.height)
-        self._room = stepped.workspace(state.count, 2 * state.count + 64)
+        self._team = Team(self._threads or _fitting_threads(state.count))
+        self._grid = stepped.grid(state.radius, self._box.width, self._box.height)
+        self._room = stepped.room(self._grid, state, self._team.threads)
         state.time = self._time
 
     @property
@@ -65,7 +77,8 @@ class Stepped:
         book = arguments.ledger(self.tallies, self.contacts, count, state)
         target = self.step_at(until)
         while True:
-            status = stepped.advance(
+            status = self._team.run(
+                stepped.advance,
                 arguments.gas(state),
                 self._box,
                 self._grid,
@@ -77,8 +90,8 @@ class Stepped:
             )
             if status != stepped.GROW:
                 break
-            found = int(self._room.progress[2])
-            self._room = stepped.workspace(state.count, 2 * found, self._room.progress)
+            longest = int(self._room.lists.found.max())
+            self._room = self._room._replace(lists=stepped.lists(self._team.threads, 2 * longest))
         self.contacts.count = int(count[0])
         state.time = self._time
         return Status.FULL if status == arguments.FULL else Status.DONE

@@ -11,8 +11,9 @@ __all__ = ["sort"]
 
 
 @bare_kernel
-def _sink(keys: NDArray[np.int64], place: int, size: int) -> None:
-    key = keys[place]
+def _sink(
+    keys: NDArray[np.int64], along: NDArray[np.int64], key: int, other: int, place: int, size: int
+) -> None:
     while True:
         child = 2 * place + 1
         if child >= size:
@@ -22,15 +23,18 @@ def _sink(keys: NDArray[np.int64], place: int, size: int) -> None:
         if keys[child] <= key:
             break
         keys[place] = keys[child]
+        along[place] = along[child]
         place = child
     keys[place] = key
+    along[place] = other
 
 
 @bare_kernel
-def sort(keys: NDArray[np.int64], size: int) -> None:
-    """Sort the first `size` entries of `keys` in ascending order (heapsort)."""
+def sort(keys: NDArray[np.int64], along: NDArray[np.int64], size: int) -> None:
+    """Sort the first `size` entries of `keys` in ascending order (heapsort); `along` goes with them."""
     for place in range(size // 2 - 1, -1, -1):
-        _sink(keys, place, size)
+        _sink(keys, along, keys[place], along[place], place, size)
     for last in range(size - 1, 0, -1):
-        keys[0], keys[last] = keys[last], keys[0]
-        _sink(keys, 0, last)
+        key, other = keys[last], along[last]
+        keys[last], along[last] = keys[0], along[0]
+        _sink(keys, along, key, other, 0, last)

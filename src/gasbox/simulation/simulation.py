@@ -28,15 +28,23 @@ class Simulation:
     ----------
     scenario : a scenario, or a snapshot to go on from
     observers : what reads the run; whether contacts are written depends on them
+    threads : how many work together; None takes as many processors as there are, if the dynamics can use them and
+        there are many particles. It changes no bit
 
     Raises
     ------
+    UsageError
+        Fewer than one thread.
     ScenarioError
         Particles that cannot be placed, or overlap where that is not allowed.
     """
 
-    def __init__(self, scenario: Scenario, observers: Iterable[Observer] = ()) -> None:
-        parts = build(scenario)
+    def __init__(
+        self, scenario: Scenario, observers: Iterable[Observer] = (), threads: int | None = None
+    ) -> None:
+        if threads is not None and threads < 1:
+            raise UsageError(f"the number of threads is {threads}; there must be at least one")
+        parts = build(scenario, threads)
         self.scenario = scenario
         self.state = parts.state
         self.geometry = parts.geometry

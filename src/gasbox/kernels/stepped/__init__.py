@@ -1,0 +1,10 @@
+"""The classroom rule: drift, then the collisions of touching, approaching pairs, then the walls.
+
+A team of threads drifts, files and looks for touching pairs, each thread on its share; what was found is executed by
+one thread in the prescribed order. So the number of threads changes no bit.
+"""
+
+from gasbox.kernels.stepped.advance import GONE, GROW, advance
+from gasbox.kernels.stepped.tables import grid, lists, room
+
+__all__ = ["GONE", "GROW", "advance", "grid", "lists", "room"]

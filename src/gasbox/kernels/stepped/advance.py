@@ -1,0 +1,94 @@
+"""The step, phase by phase."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import bare_kernel
+from gasbox.kernels.arguments import DONE, FULL, Box, Gas, Ledger
+from gasbox.kernels.stepped.execute import execute
+from gasbox.kernels.stepped.filing import drift, file, number, show
+from gasbox.kernels.stepped.look import look
+from gasbox.kernels.stepped.tables import Grid, Room
+from gasbox.kernels.team import meet
+
+__all__ = ["GONE", "GROW", "advance"]
+
+GROW = 10
+"""Status: the lists of what touches are too short; give longer ones with the same progress and call again."""
+GONE = 11
+"""Status: not all threads of the team came."""
+
+_DRIFT, _LOOK, _EXECUTE = 0, 1, 2
+
+
+@bare_kernel
+def _begin(room: Room, threads: int) -> None:
+    """Go on to the execution, if all that was found has been listed."""
+    room.progress[0] = _EXECUTE
+    for thread in range(threads):
+        room.lists.done[thread] = 0
+        if room.lists.found[thread] > room.lists.key.shape[1]:
+            room.progress[0] = _LOOK
+
+
+@bare_kernel
+def advance(
+    gas: Gas,
+    box: Box,
+    grid: Grid,
+    room: Room,
+    book: Ledger,
+    clock: NDArray[np.int64],
+    target: int,
+    time_step: float,
+    flag: NDArray[np.int64],
+    thread: int,
+    threads: int,
+) -> int:
+    """Take whole steps until step number `target`, as one of a team of threads.
+
+    Parameters
+    ----------
+    clock : (1,) int64, steps done; counted on here
+    target : step to stop at
+    time_step : [time]
+    flag : where the team meets, new for each call (`gasbox.kernels.team`)
+    thread, threads : which one of how many
+
+    Returns
+    -------
+    DONE, FULL (read the contacts, call again), GROW or GONE; the same for each thread.
+    """
+    # What other threads may change is read before the first meeting.
+    phase, step, turn = room.progress[0], clock[0], room.progress[1]
+    if not meet(flag, thread, threads):
+        return GONE
+    status = DONE
+    while step < target:
+        old, new = (room.odd, room.even) if turn == 1 else (room.even, room.odd)
+        if phase == _DRIFT:
+            drift(old, box, grid, room, time_step, thread, threads)
+            meet(flag, thread, threads)
+            number(grid, room, thread, threads)
+            meet(flag, thread, threads)
+            file(old, new, room, thread, threads)
+            meet(flag, thread, threads)
+        if phase != _EXECUTE:
+            look(new, box, grid, room, thread, threads)
+            meet(flag, thread, threads)
+        if thread == 0:
+            if phase != _EXECUTE:
+                _begin(room, threads)
+            time = (step + 1) * time_step
+            if room.progress[0] == _EXECUTE and execute(new, gas, box, room.lists, book, time, threads):
+                room.progress[0], room.progress[1], clock[0] = _DRIFT, 1 - turn, step + 1
+        meet(flag, thread, threads)
+        phase = room.progress[0]
+        if phase != _DRIFT:
+            status = FULL if phase == _EXECUTE else GROW
+            break
+        step, turn = step + 1, 1 - turn
+    show(room.odd if turn == 1 else room.even, gas, thread, threads)
+    return status

@@ -1,0 +1,135 @@
+"""What the stepped kernel keeps beside the particles: grids by size class, slots in the order of cells, and lists.
+
+A particle is filed at the level of its size class, in cells at least as wide as the largest diameter there. Whatever
+touches it is filed at its own level or at a coarser one within the 3 x 3 cells around it, or looks it up likewise.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.kernels.grid import classes
+from gasbox.state import State
+
+__all__ = ["Grid", "Lists", "Room", "Slots", "grid", "lists", "room"]
+
+_SPACING = 0.5
+"""Least width of a cell, in mean distances of the discs of its level."""
+
+
+class Grid(NamedTuple):
+    """All levels, finest first; cells of level l are numbered from first[l], row by row.
+
+    Attributes
+    ----------
+    level : (n,) int32, level of each particle
+    columns, rows : (levels,) int64
+    first : (levels + 1,) int64
+    """
+
+    level: NDArray[np.int32]
+    columns: NDArray[np.int64]
+    rows: NDArray[np.int64]
+    first: NDArray[np.int64]
+
+
+class Slots(NamedTuple):
+    """The particles in the order of their cells.
+
+    Attributes
+    ----------
+    row : (n,) int32, row of the particle in the state
+    x, y : (n,) float64, positions [length]
+    vx, vy : (n,) float64, velocities [length/time]
+    reach : (n,) float64, radii [length]
+    """
+
+    row: NDArray[np.int32]
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    vx: NDArray[np.float64]
+    vy: NDArray[np.float64]
+    reach: NDArray[np.float64]
+
+
+class Lists(NamedTuple):
+    """What the threads (first index) of a team found, each in ascending order of the keys.
+
+    Attributes
+    ----------
+    key : (threads, capacity) int64, pairs as row of lower id * n + row of higher id, walls as n^2 + 4 * row + wall
+    slot : (threads, capacity) int64, slot of the first + n * slot of the second (or of the one)
+    found : (threads,) int64, how many there are; may be more than there was room for
+    done : (threads,) int64, how many of these are done
+    """
+
+    key: NDArray[np.int64]
+    slot: NDArray[np.int64]
+    found: NDArray[np.int64]
+    done: NDArray[np.int64]
+
+
+class Room(NamedTuple):
+    """Working memory of a team.
+
+    Attributes
+    ----------
+    progress : (2,) int64, phase of the step, and whether `odd` (1) or `even` (0) is filed last
+    even, odd : the particles as filed in every other step
+    cell : (n,) int32, new cell of the particle in each slot
+    end : (threads, cells + 1) int32, at cell + 1 where the thread files next; in the end the last row holds
+        one past the last slot of each cell, and so the first slot of the next
+    share : (threads, threads) int64, how many particles each thread (row) files in each thread's cells (column)
+    lists : what touches
+    """
+
+    progress: NDArray[np.int64]
+    even: Slots
+    odd: Slots
+    cell: NDArray[np.int32]
+    end: NDArray[np.int32]
+    share: NDArray[np.int64]
+    lists: Lists
+
+
+def grid(radius: NDArray[np.float64], width: float, height: float, ratio: float = 2.0) -> Grid:
+    """Grids for discs of these radii (n,) [length] in a box of width x height [length]."""
+    level, largest = classes(radius, ratio)
+    members = np.bincount(level, minlength=largest.size)
+    side = np.maximum(2.0 * largest * (1 + 1e-9), _SPACING * np.sqrt(width * height / np.maximum(members, 1)))
+    columns = np.maximum(1, np.floor(width / side)).astype(np.int64)
+    rows = np.maximum(1, np.floor(height / side)).astype(np.int64)
+    first = np.concatenate([np.zeros(1, np.int64), np.cumsum(columns * rows)]).astype(np.int64)
+    return Grid(level, columns, rows, first)
+
+
+def lists(threads: int, capacity: int) -> Lists:
+    """Empty lists of `capacity` entries a thread."""
+    return Lists(
+        np.zeros((threads, capacity), np.int64),
+        np.zeros((threads, capacity), np.int64),
+        np.zeros(threads, np.int64),
+        np.zeros(threads, np.int64),
+    )
+
+
+def room(grid: Grid, state: State, threads: int) -> Room:
+    """Memory for the particles of `state`, which are taken over in the order they have there."""
+    n = state.count
+    return Room(
+        progress=np.zeros(2, np.int64),
+        even=_slots(state),
+        odd=_slots(state),
+        cell=np.zeros(n, np.int32),
+        end=np.zeros((threads, int(grid.first[-1]) + 1), np.int32),
+        share=np.zeros((threads, threads), np.int64),
+        lists=lists(threads, n // (2 * threads) + 64),
+    )
+
+
+def _slots(state: State) -> Slots:
+    (x, y), (vx, vy) = state.position.T.copy(), state.velocity.T.copy()
+    return Slots(np.arange(state.count, dtype=np.int32), x, y, vx, vy, state.radius.copy())
