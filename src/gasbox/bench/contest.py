@@ -8,9 +8,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final, Protocol
 
-__all__ = ["OURS", "Contender", "Result", "contest"]
+__all__ = ["OURS", "PLAIN", "Contender", "Result", "contest"]
 
 OURS: Final = "gasbox"
+PLAIN: Final = "plain loops"
+"""The readable engines of `gasbox.bench.plain`."""
 
 
 class Contender(Protocol):
@@ -52,16 +54,16 @@ class Result:
 def contest(
     task: str, unit: str, particles: int, contenders: Sequence[Contender], rounds: int, seconds: float
 ) -> list[Result]:
-    """Let all work in turns, `rounds` times for at least `seconds` [s] each; one round before is not counted.
+    """Let all work in turns, `rounds` times for some `seconds` [s] each; a trial before finds out how much that is.
 
     The first contender is the one that the others are compared with.
     """
-    rates: dict[str, list[float]] = {contender.name: [] for contender in contenders}
-    for turn in range(rounds + 1):
+    portions = {contender.name: _portions(contender.work, seconds) for contender in contenders}
+    rates: dict[str, list[float]] = {name: [] for name in portions}
+    for _ in range(rounds):
         for contender in contenders:
-            rate = _rate(contender.work, seconds)
-            if turn:
-                rates[contender.name].append(rate)
+            done, spent = _timed(contender.work, portions[contender.name])
+            rates[contender.name].append(done / spent)
     medians = {name: statistics.median(measured) for name, measured in rates.items()}
     first = medians[contenders[0].name]
     return [
@@ -70,12 +72,19 @@ def contest(
     ]
 
 
-def _rate(work: Callable[[int], float], seconds: float) -> float:
-    done, portions, begin = 0.0, 1, time.perf_counter()
+def _timed(work: Callable[[int], float], portions: int) -> tuple[float, float]:
+    """How much was done, and the seconds that it took."""
+    begin = time.perf_counter()
+    done = work(portions)
+    return done, time.perf_counter() - begin
+
+
+def _portions(work: Callable[[int], float], seconds: float) -> int:
+    """How many portions take about `seconds` [s] in one call."""
+    work(1)  # compiles, or loads what was compiled
+    portions = 1
     while True:
-        done += work(portions)
-        spent = time.perf_counter() - begin
-        if spent >= seconds:
-            return done / spent
-        # Ask the clock seldom, and do not overshoot by much.
-        portions = 2 * portions if spent < seconds / 4 else portions
+        _, spent = _timed(work, portions)
+        if spent >= seconds / 4:
+            return max(1, round(portions * seconds / spent))
+        portions *= 2

@@ -1,4 +1,4 @@
-"""Shows and keeps measured rates."""
+"""Keeps measured rates, and finds those of the last time."""
 
 from __future__ import annotations
 
@@ -7,50 +7,40 @@ import json
 import os
 import platform
 from collections.abc import Sequence
+from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-from rich.box import SIMPLE
-from rich.console import Console
-from rich.table import Table
-
-from gasbox.bench.contest import OURS, Result
+from gasbox.bench.contest import Result
 from gasbox.errors import FileError
 from gasbox.version import __version__
 
-__all__ = ["machine", "print_table", "save"]
+__all__ = ["Earlier", "machine", "newest", "save"]
 
-_WIDTH = 100
-_PACKAGES = ("numpy", "numba", "scipy", "pymunk")
-
-
-def print_table(results: Sequence[Result]) -> None:
-    """One table: million units a second (median and range), and how many times faster ours is."""
-    table = Table("gas", "particles", "program", "million/s", "range", "ours is", box=SIMPLE)
-    for column in table.columns:
-        column.no_wrap = True
-    for before, result in zip([None, *results], results, strict=False):
-        if before is not None and result.task != before.task:
-            table.add_section()
-        low, high = min(result.rates), max(result.rates)
-        table.add_row(
-            result.task,
-            f"{result.particles:,}",
-            result.program,
-            f"{result.median / 1e6:.3g}",
-            f"{low / 1e6:.2g}-{high / 1e6:.2g}",
-            "" if result.program == OURS else f"{result.ratio:.2f} x",
-        )
-    # Wide enough that nothing is cut off where the output is no terminal.
-    Console(highlight=False, width=max(Console().width, _WIDTH)).print(table)
-    units = dict.fromkeys((result.task.partition(",")[0], result.unit) for result in results)
-    counted = "; ".join(f"{task}: {unit}" for task, unit in units)
-    rounds = f"median of {len(results[0].rates)} rounds in turns"
-    print(f"{counted}. {rounds}, {machine()['processor']}, {os.cpu_count()} cores.")
+_PACKAGES = ("numpy", "numba", "scipy", "pymunk", "pyb2d3", "rebound")
 
 
-def save(results: Sequence[Result], path: Path) -> Path:
+@dataclass(frozen=True)
+class Earlier:
+    """The rates of an earlier run.
+
+    Attributes
+    ----------
+    path : where they are kept
+    rates : median rate [1/s] by task, number of particles and program
+    """
+
+    path: Path
+    rates: dict[tuple[str, int, str], float]
+
+    def moved(self, result: Result) -> float | None:
+        """By what share the rate has changed since (0.03: 3 % faster); None if it was not measured then."""
+        before = self.rates.get((result.task, result.particles, result.program))
+        return result.median / before - 1.0 if before else None
+
+
+def save(results: Sequence[Result], path: Path, quick: bool = False) -> Path:
     """Write results, machine, versions and date as JSON, into a file or under a name of its own into a folder.
 
     Raises
@@ -63,6 +53,7 @@ def save(results: Sequence[Result], path: Path) -> Path:
     rows = [{**vars(result), "median": result.median} for result in results]
     kept = {
         "date": now.isoformat(timespec="seconds"),
+        "mode": _mode(quick),
         "machine": machine(),
         "versions": _versions(),
         "rates": rows,
@@ -72,6 +63,32 @@ def save(results: Sequence[Result], path: Path) -> Path:
     except OSError as error:
         raise FileError(f"cannot write {target}: {error.strerror}") from None
     return target
+
+
+def newest(folder: Path, quick: bool = False) -> Earlier | None:
+    """The last kept run of this machine and this mode in `folder`; None if there is none, or no folder."""
+    found = [kept for path in folder.glob("*.json") if (kept := _read(path, quick)) is not None]
+    return max(found, key=lambda dated: dated[0])[1] if found else None
+
+
+def _read(path: Path, quick: bool) -> tuple[str, Earlier] | None:
+    """Date and rates of a file, None if it is of another machine or mode, or nothing of ours."""
+    here = machine()
+    try:
+        kept = json.loads(path.read_text())
+        known = kept["machine"]
+        if kept.get("mode") != _mode(quick) or any(known[key] != here[key] for key in ("processor", "cores")):
+            return None
+        rates = {
+            (row["task"], row["particles"], row["program"]): float(row["median"]) for row in kept["rates"]
+        }
+        return str(kept["date"]), Earlier(path, rates)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+
+
+def _mode(quick: bool) -> str:
+    return "quick" if quick else "full"
 
 
 def machine() -> dict[str, Any]:

@@ -1,0 +1,1 @@
+"""Plain engines, as a textbook has them: the yardstick for the fast ones. Each stands in one file by itself."""

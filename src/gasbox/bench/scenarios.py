@@ -1,0 +1,58 @@
+"""The gases that rates are measured on, as scenarios. In a frame, a disc (a small one) moves about its radius."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from gasbox.scenario import Scenario, parse
+
+__all__ = ["exact_gas", "mixture", "stepped_gas"]
+
+_SEED = 12
+
+
+def exact_gas(particles: int, area_fraction: float) -> Scenario:
+    """Equal discs of diameter, mass and temperature 1 in a periodic square, event-driven."""
+    return _exact([_discs("discs", 0.5, particles)], area_fraction)
+
+
+def mixture(particles: int, size_ratio: float, area_fraction: float) -> Scenario:
+    """As `exact_gas`, and large discs of the same material and the same area in all, `size_ratio` times as wide."""
+    large = max(1, round(particles / size_ratio**2))
+    species = [_discs("small", 0.5, particles), _discs("large", 0.5 * size_ratio, large)]
+    return _exact(species, area_fraction)
+
+
+def stepped_gas(particles: int, area_fraction: float = 0.2, speed: float = 0.1) -> Scenario:
+    """Equal discs of radius and mass 1 between walls; each moves `speed` [length] in a step on average."""
+    side = math.sqrt(particles * math.pi / area_fraction)
+    return parse(
+        {
+            "seed": _SEED,
+            "container": {"shape": "rectangle", "width": side, "height": side},
+            # The rms speed is sqrt(2 T/m).
+            "species": [{"name": "discs", "radius": 1, "count": particles, "temperature": speed**2 / 2}],
+            "dynamics": {"kind": "stepped", "time_step": 1},
+            "frame_interval": round(1 / speed),
+        }
+    )
+
+
+def _discs(name: str, radius: float, count: int) -> dict[str, Any]:
+    """A species at temperature 1; a disc of diameter 1 has mass 1."""
+    return {"name": name, "radius": radius, "mass": 4 * radius**2, "count": count, "temperature": 1}
+
+
+def _exact(species: list[dict[str, Any]], area_fraction: float) -> Scenario:
+    area = math.pi * sum(one["count"] * one["radius"] ** 2 for one in species)
+    side = math.sqrt(area / area_fraction)
+    return parse(
+        {
+            "seed": _SEED,
+            "container": {"shape": "rectangle", "width": side, "height": side, "periodic": ["x", "y"]},
+            "species": species,
+            "dynamics": {"kind": "event-driven"},
+            "frame_interval": 0.5 / math.sqrt(2),
+        }
+    )
