@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import statistics
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Protocol
 
@@ -54,37 +54,45 @@ class Result:
 def contest(
     task: str, unit: str, particles: int, contenders: Sequence[Contender], rounds: int, seconds: float
 ) -> list[Result]:
-    """Let all work in turns, `rounds` times for some `seconds` [s] each; a trial before finds out how much that is.
+    """Let all work in turns, `rounds` times for at least half of `seconds` [s] each, after a trial.
 
     The first contender is the one that the others are compared with.
     """
-    portions = {contender.name: _portions(contender.work, seconds) for contender in contenders}
-    rates: dict[str, list[float]] = {name: [] for name in portions}
+    turns = [_Turns(contender, seconds) for contender in contenders]
     for _ in range(rounds):
-        for contender in contenders:
-            done, spent = _timed(contender.work, portions[contender.name])
-            rates[contender.name].append(done / spent)
-    medians = {name: statistics.median(measured) for name, measured in rates.items()}
-    first = medians[contenders[0].name]
+        for turn in turns:
+            turn.take()
+    first = statistics.median(turns[0].rates)
     return [
-        Result(task, unit, particles, name, tuple(measured), first / medians[name])
-        for name, measured in rates.items()
+        Result(task, unit, particles, turn.name, tuple(turn.rates), first / statistics.median(turn.rates))
+        for turn in turns
     ]
 
 
-def _timed(work: Callable[[int], float], portions: int) -> tuple[float, float]:
-    """How much was done, and the seconds that it took."""
-    begin = time.perf_counter()
-    done = work(portions)
-    return done, time.perf_counter() - begin
+class _Turns:
+    """The rounds of one contender, each a single call, since looking at many particles costs time as well."""
 
+    def __init__(self, contender: Contender, seconds: float) -> None:
+        self.name = contender.name
+        self.rates: list[float] = []
+        self._work, self._least = contender.work, seconds / 2
+        self._portions = 1
+        self._work(1)  # compiles, or loads what was compiled
+        self._rate()
 
-def _portions(work: Callable[[int], float], seconds: float) -> int:
-    """How many portions take about `seconds` [s] in one call."""
-    work(1)  # compiles, or loads what was compiled
-    portions = 1
-    while True:
-        _, spent = _timed(work, portions)
-        if spent >= seconds / 4:
-            return max(1, round(portions * seconds / spent))
-        portions *= 2
+    def take(self) -> None:
+        """Work for one round."""
+        self.rates.append(self._rate())
+
+    def _rate(self) -> float:
+        """Amount a second [1/s] in the first call that is long enough; each call is twice as long as the one before.
+
+        Later rounds begin where this one ended. A pause in the trial thus does no harm: it made the portions too few.
+        """
+        while True:
+            begin = time.perf_counter()
+            done = self._work(self._portions)
+            spent = time.perf_counter() - begin
+            if spent >= self._least:
+                return done / spent
+            self._portions *= 2

@@ -33,7 +33,7 @@ class ObservedGas:
 
     def __init__(self, scenario: Scenario, name: str, observer: Observer | None = None) -> None:
         self.name = name
-        self._simulation = Simulation(scenario)
+        self._simulation = Simulation(scenario, threads=1)
         self._exact = isinstance(scenario.dynamics, EventDriven)
         if self._exact:
             let_mix(self._simulation)
