@@ -6,17 +6,11 @@ A kernel that works so takes `thread` and `threads`; the caller runs it once for
 
 from __future__ import annotations
 
-import sys
-from typing import Any
-
-import numba.core.cgutils
-import numba.core.types
-import numba.extending
-import numba.np.arrayobj
 import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
+from gasbox.kernels.processor import offer_processor, read, write
 
 __all__ = ["flags", "give_up", "meet", "share"]
 
@@ -25,15 +19,6 @@ _APART = 8
 _PATIENCE = 4000
 """Looks at another thread's flag before the processor is offered to others."""
 _GONE = -1
-
-# numba has no types for these parts of itself.
-_types: Any = numba.core.types
-_cgutils: Any = numba.core.cgutils
-_make_array: Any = numba.np.arrayobj.make_array
-_intrinsic: Any = numba.extending.intrinsic
-_offer_processor: Any = _types.ExternalFunction(
-    "SwitchToThread" if sys.platform == "win32" else "sched_yield", _types.int32()
-)
 
 
 def flags(threads: int) -> NDArray[np.int64]:
@@ -46,50 +31,21 @@ def give_up(flag: NDArray[np.int64]) -> None:
     flag[-1] = _GONE
 
 
-def _pointer(context: Any, builder: Any, signature: Any, flag: Any, place: Any) -> Any:
-    array = _make_array(signature.args[0])(context, builder, flag)
-    return _cgutils.get_item_pointer(context, builder, signature.args[0], array, [place])
-
-
-@_intrinsic  # type: ignore[untyped-decorator]
-def _read(_: Any, flag: Any, place: Any) -> Any:
-    """flag[place], and nothing that comes after is read before it."""
-
-    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        place = context.cast(builder, arguments[1], signature.args[1], _types.intp)
-        return builder.load_atomic(_pointer(context, builder, signature, arguments[0], place), "acquire", 8)
-
-    return _types.int64(flag, place), code
-
-
-@_intrinsic  # type: ignore[untyped-decorator]
-def _write(_: Any, flag: Any, place: Any, value: Any) -> Any:
-    """flag[place] = value, after all that was written before."""
-
-    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        place = context.cast(builder, arguments[1], signature.args[1], _types.intp)
-        value = context.cast(builder, arguments[2], signature.args[2], _types.int64)
-        builder.store_atomic(value, _pointer(context, builder, signature, arguments[0], place), "release", 8)
-        return context.get_dummy_value()
-
-    return _types.void(flag, place, value), code
-
-
 @bare_kernel
 def meet(flag: NDArray[np.int64], thread: int, threads: int) -> bool:
     """Wait until all threads have come here; return False if one will not come (only before the first meeting)."""
     if threads == 1:
         return True
     mine = flag[thread * _APART] + 1
-    _write(flag, thread * _APART, mine)
+    write(flag, thread * _APART, mine)
     for other in range(threads):
         looks = 0
-        while _read(flag, other * _APART) < mine:
+        while read(flag, other * _APART) < mine:
             looks += 1
             if looks > _PATIENCE:
-                if _read(flag, flag.shape[0] - 1) == _GONE:
+                if read(flag, flag.shape[0] - 1) == _GONE:
                     return False
-                _offer_processor()
+                offer_processor()
     return True
 
 

@@ -9,13 +9,16 @@ import numpy as np
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import DONE, FULL, NO_PROGRESS, Box, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange
+from gasbox.kernels.event_driven.ahead import foresee
 from gasbox.kernels.event_driven.cells import cross, schedule_crossing
 from gasbox.kernels.event_driven.flight import note_speed
 from gasbox.kernels.event_driven.queue import earliest, remove
 from gasbox.kernels.event_driven.search import predict, predict_entered, release
 from gasbox.kernels.event_driven.tables import (
     CROSSINGS,
+    CURRENT,
     EVENTS,
+    FETCHES,
     LABEL,
     NOBODY,
     NOW,
@@ -170,8 +173,13 @@ def advance(tables: Tables, box: Box, book: Ledger, until: float, epoch: float) 
     limited = book.kind.shape[0] > 0
     patience = 1000 * (flight.shape[0] + 10)
     idle, latest = 0, -math.inf
+    foreseen = counter[CURRENT]
     while True:
         i = earliest(flight, link, tables.ring, tables.heap, counter, tables.number, until)
+        if counter[FETCHES]:
+            while foreseen < counter[CURRENT]:
+                foreseen += 1
+                foresee(tables, counter[CURRENT] - foreseen)
         if i < 0:
             return DONE
         event, crossing, partner = flight[i, T_EVENT], flight[i, T_CROSS], link[i, PARTNER]

@@ -1,4 +1,7 @@
-"""A calendar of coming events: buckets of equal time, of which the current one is kept as a heap.
+"""A calendar of coming events: buckets of equal time in a ring, of which the current one is kept as a heap.
+
+A bucket is a row of memory. Filing an event touches this row alone, and an event that is taken out stays in it, to be
+passed over when the bucket is opened (its particle is filed elsewhere then); what finds a row full is chained to it.
 
 The bucket of a time is its whole number of bucket widths. This is a monotone function also in floating point, so an
 earlier event is never filed behind a later one; what belongs to the current bucket or (by rounding) to a past one goes
@@ -15,7 +18,10 @@ from numpy.typing import NDArray
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.event_driven.tables import (
     BUCKETS_PER_TIME,
+    CHAIN,
     CURRENT,
+    FILED,
+    FIRST_ENTRY,
     HEAP,
     HORIZON,
     LABEL,
@@ -25,12 +31,13 @@ from gasbox.kernels.event_driven.tables import (
     PLACE,
     Q_NEXT,
     Q_PREV,
+    RING_AT,
     STALE,
     T_CROSS,
     T_EVENT,
 )
 
-__all__ = ["earliest", "insert", "pair_before", "remove", "rise"]
+__all__ = ["earliest", "empty", "insert", "pair_before", "remove", "rise"]
 
 _Flight = NDArray[np.float64]
 _Ints = NDArray[np.int32]
@@ -106,24 +113,27 @@ def _sink(flight: _Flight, link: _Ints, heap: _Ints, place: int, size: int, base
 def remove(
     flight: _Flight, link: _Ints, ring: _Ints, heap: _Ints, counter: NDArray[np.int64], i: int
 ) -> None:
-    """Take particle `i` out of the queue, before its times change (of a heap the order may be stale at `i` only)."""
-    place = link[i, PLACE]
-    if place >= ring.shape[0]:
-        place -= ring.shape[0]
+    """Take particle `i` out of the queue, before its times change (of a heap the order may be stale at `i` only).
+
+    In the row of a bucket its entry stays, and will be passed over.
+    """
+    place, buckets = link[i, PLACE], ring.shape[0]
+    if place >= 2 * buckets:
+        place -= 2 * buckets
         size = counter[HEAP] - 1
         counter[HEAP] = size
         if place < size:
             last = heap[size]
             heap[place] = last
-            link[last, PLACE] = ring.shape[0] + place
-            _sink(flight, link, heap, place, size, ring.shape[0])
-            _rise(flight, link, heap, link[last, PLACE] - ring.shape[0], ring.shape[0])
-    elif place >= 0:
+            link[last, PLACE] = 2 * buckets + place
+            _sink(flight, link, heap, place, size, 2 * buckets)
+            _rise(flight, link, heap, link[last, PLACE] - 2 * buckets, 2 * buckets)
+    elif place >= buckets:
         before, after = link[i, Q_PREV], link[i, Q_NEXT]
         if before >= 0:
             link[before, Q_NEXT] = after
         else:
-            ring[place] = after
+            ring[place - buckets, CHAIN] = after
         if after >= 0:
             link[after, Q_PREV] = before
     link[i, PLACE] = NOWHERE
@@ -133,8 +143,9 @@ def remove(
 def rise(flight: _Flight, link: _Ints, ring: _Ints, heap: _Ints, i: int) -> None:
     """Restore the order after the event of particle `i` has come to rank earlier at the same time."""
     place = link[i, PLACE]
-    if place >= ring.shape[0]:
-        _rise(flight, link, heap, place - ring.shape[0], ring.shape[0])
+    base = 2 * ring.shape[0]
+    if place >= base:
+        _rise(flight, link, heap, place - base, base)
 
 
 @inlined_kernel
@@ -152,23 +163,72 @@ def insert(
     if time > number[HORIZON]:
         link[i, PLACE] = NOWHERE
         return
-    bucket = int(time * number[BUCKETS_PER_TIME])
-    if bucket <= counter[CURRENT]:
+    bucket, buckets = int(time * number[BUCKETS_PER_TIME]), ring.shape[0]
+    ahead = bucket - counter[CURRENT]
+    if ahead <= 0:
         place = counter[HEAP]
         counter[HEAP] = place + 1
         heap[place] = i
-        _rise(flight, link, heap, place, ring.shape[0])
-    elif bucket < counter[CURRENT] + ring.shape[0]:
-        place = bucket & (ring.shape[0] - 1)
-        after = ring[place]
-        link[i, Q_PREV] = -1
-        link[i, Q_NEXT] = after
-        if after >= 0:
-            link[after, Q_PREV] = i
-        ring[place] = i
-        link[i, PLACE] = place
-    else:
+        _rise(flight, link, heap, place, 2 * buckets)
+    elif ahead >= buckets:
         link[i, PLACE] = LATER
+    else:
+        place = counter[RING_AT] + ahead
+        if place >= buckets:
+            place -= buckets
+        filed = ring[place, FILED]
+        if filed < ring.shape[1]:
+            ring[place, filed] = i
+            ring[place, FILED] = filed + 1
+            link[i, PLACE] = place
+        else:
+            _chain(link, ring, place, i)
+
+
+@bare_kernel
+def _chain(link: _Ints, ring: _Ints, place: int, i: int) -> None:
+    """File particle `i` in a bucket whose row is full."""
+    after = ring[place, CHAIN]
+    link[i, Q_PREV] = -1
+    link[i, Q_NEXT] = after
+    if after >= 0:
+        link[after, Q_PREV] = i
+    ring[place, CHAIN] = i
+    link[i, PLACE] = ring.shape[0] + place
+
+
+@bare_kernel
+def empty(ring: _Ints, counter: NDArray[np.int64], current: int) -> None:
+    """An empty queue, at bucket `current`."""
+    ring[:, FILED] = FIRST_ENTRY
+    ring[:, CHAIN] = -1
+    counter[HEAP] = 0
+    counter[CURRENT] = current
+    counter[RING_AT] = 0
+
+
+@inlined_kernel
+def _open(
+    flight: _Flight,
+    link: _Ints,
+    ring: _Ints,
+    heap: _Ints,
+    counter: NDArray[np.int64],
+    number: NDArray[np.float64],
+    place: int,
+) -> None:
+    """Move all that is filed in a bucket into the heap."""
+    filed, i = ring[place, FILED], ring[place, CHAIN]
+    ring[place, FILED] = FIRST_ENTRY
+    ring[place, CHAIN] = -1
+    for entry in range(FIRST_ENTRY, filed):
+        member = ring[place, entry]
+        if link[member, PLACE] == place:
+            insert(flight, link, ring, heap, counter, number, member)
+    while i >= 0:
+        after = link[i, Q_NEXT]
+        insert(flight, link, ring, heap, counter, number, i)
+        i = after
 
 
 @bare_kernel
@@ -187,15 +247,11 @@ def earliest(
         if counter[CURRENT] >= last:
             return -1
         counter[CURRENT] += 1
-        place = counter[CURRENT] & (ring.shape[0] - 1)
-        if place == 0:
+        counter[RING_AT] += 1
+        if counter[RING_AT] == ring.shape[0]:
+            counter[RING_AT] = 0
             for i in range(link.shape[0]):
                 if link[i, PLACE] == LATER:
                     insert(flight, link, ring, heap, counter, number, i)
-        i = ring[place]
-        ring[place] = -1
-        while i >= 0:
-            after = link[i, Q_NEXT]
-            insert(flight, link, ring, heap, counter, number, i)
-            i = after
+        _open(flight, link, ring, heap, counter, number, counter[RING_AT])
     return heap[0]

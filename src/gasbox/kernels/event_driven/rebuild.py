@@ -11,14 +11,12 @@ from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas
 from gasbox.kernels.event_driven.cells import enter, schedule_crossing
 from gasbox.kernels.event_driven.flight import note_speed
-from gasbox.kernels.event_driven.queue import remove
+from gasbox.kernels.event_driven.queue import empty, remove
 from gasbox.kernels.event_driven.search import predict_entered
 from gasbox.kernels.event_driven.tables import (
     BUCKETS_PER_TIME,
     COLUMNS,
-    CURRENT,
     FASTEST,
-    HEAP,
     HORIZON,
     LABEL,
     LEVEL,
@@ -84,15 +82,13 @@ def rebuild(tables: Tables, box: Box, now: float, horizon: float, rate: float) -
     """
     flight, link, head, levels = tables.flight, tables.link, tables.head, tables.levels
     head[:] = -1
-    tables.ring[:] = -1
-    tables.counter[HEAP] = 0
     tables.number[HORIZON] = horizon
     tables.number[NOW] = now
     tables.number[FASTEST] = 0.0
     for i in range(flight.shape[0]):
         note_speed(flight, tables.number, i)
     tables.number[BUCKETS_PER_TIME] = rate
-    tables.counter[CURRENT] = int(now * rate)
+    empty(tables.ring, tables.counter, int(now * rate))
     for i in range(flight.shape[0]):
         elapsed = now - flight[i, T0]
         x = _fold(flight[i, X] + flight[i, VX] * elapsed, box.width, box.periodic_x)
