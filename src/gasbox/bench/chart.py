@@ -72,7 +72,8 @@ def _draw_exact(axes: Axes, results: Sequence[Result]) -> None:
 def _draw_stepped(axes: Axes, results: Sequence[Result]) -> None:
     """One colour for each program; ours in ink and thick."""
     scanned = [result for result in results if _filled(result.task) is not None]
-    for index, program in enumerate(dict.fromkeys(result.program for result in scanned)):
+    programs = sorted(dict.fromkeys(result.program for result in scanned), key=lambda name: OURS not in name)
+    for index, program in enumerate(programs):
         line = [result for result in scanned if result.program == program]
         color = INK if program == OURS else _COLORS[(index - 1) % len(_COLORS)]
         _draw_line(axes, line, program, color, _MARKERS[index % len(_MARKERS)], program)
