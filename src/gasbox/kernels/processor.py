@@ -11,6 +11,8 @@ import numba.core.types
 import numba.extending
 import numba.np.arrayobj
 
+from gasbox.jit import is_compiling
+
 __all__ = ["fetch", "offer_processor", "read", "write"]
 
 # numba and llvmlite have no types for these parts of themselves.
@@ -57,7 +59,12 @@ def write(_: Any, flag: Any, place: Any, value: Any) -> Any:
     return _types.void(flag, place, value), code
 
 
-@_intrinsic  # type: ignore[untyped-decorator]
+def _intrinsic_or(plain: Any) -> Any:
+    """Decorator: an intrinsic, or `plain` where kernels are not compiled."""
+    return _intrinsic if is_compiling() else lambda _: plain
+
+
+@_intrinsic_or(lambda array, place: None)  # type: ignore[untyped-decorator]
 def fetch(_: Any, array: Any, place: Any) -> Any:
     """Ask for the cache line in which row `place` begins; any place will do, nothing is read."""
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from gasbox.jit import bare_kernel
 from gasbox.kernels.arguments import DONE, FULL, Box, Gas, Ledger
 from gasbox.kernels.stepped.execute import execute
-from gasbox.kernels.stepped.filing import drift, file, number, show
+from gasbox.kernels.stepped.filing import count, drift, file, number, show
 from gasbox.kernels.stepped.look import look
 from gasbox.kernels.stepped.tables import Grid, Room
 from gasbox.kernels.team import meet
@@ -69,7 +69,8 @@ def advance(
     while step < target:
         old, new = (room.odd, room.even) if turn == 1 else (room.even, room.odd)
         if phase == _DRIFT:
-            drift(old, box, grid, room, time_step, thread, threads)
+            drift(old, box, time_step, thread, threads)
+            count(old, box, grid, room, thread, threads)
             meet(flag, thread, threads)
             number(grid, room, thread, threads)
             meet(flag, thread, threads)

@@ -5,9 +5,14 @@ from __future__ import annotations
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange, nearest
+from gasbox.kernels.processor import fetch
 from gasbox.kernels.stepped.tables import Lists, Slots
 
 __all__ = ["execute"]
+
+
+_AHEAD = 8
+"""Entries ahead of the one at hand whose memory is asked for: the next pair is anywhere."""
 
 
 @inlined_kernel
@@ -44,6 +49,17 @@ def _bounce(slot: int, wall: int, slots: Slots, gas: Gas, time: float, book: Led
         book_wall(book, gas.species[i], i, wall, time, 0.0, given)
 
 
+@inlined_kernel
+def _fetch_discs(slots: Slots, entry: int) -> None:
+    """Ask for what the collision in an entry of the lists will touch."""
+    for slot in (entry & 0xFFFFFFFF, entry >> 32):
+        fetch(slots.x, slot)
+        fetch(slots.y, slot)
+        fetch(slots.vx, slot)
+        fetch(slots.vy, slot)
+        fetch(slots.row, slot)
+
+
 @bare_kernel
 def execute(slots: Slots, gas: Gas, box: Box, lists: Lists, book: Ledger, time: float, threads: int) -> bool:
     """Execute the lists of all threads merged, from where they stand; return False if the contacts are full."""
@@ -59,8 +75,9 @@ def execute(slots: Slots, gas: Gas, box: Box, lists: Lists, book: Ledger, time: 
         if book.kind.shape[0] > 0 and book.rows[0] >= book.kind.shape[0]:
             return False
         entry = int(lists.slot[best, lists.done[best]])
+        _fetch_discs(slots, int(lists.slot[best, min(lists.done[best] + _AHEAD, lists.slot.shape[1] - 1)]))
         if key < n * n:
-            _collide(entry % n, entry // n, slots, gas, box, time, book)
+            _collide(entry & 0xFFFFFFFF, entry >> 32, slots, gas, box, time, book)
         else:
-            _bounce(entry, (key - n * n) % 4, slots, gas, time, book)
+            _bounce(entry, (key - n * n) & 3, slots, gas, time, book)
         lists.done[best] += 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas
@@ -10,61 +11,72 @@ from gasbox.kernels.grid import cell_of
 from gasbox.kernels.stepped.tables import Grid, Room, Slots
 from gasbox.kernels.team import share
 
-__all__ = ["drift", "file", "number", "show"]
-
-
-@inlined_kernel
-def _owner(cell: int, cells: int, threads: int) -> int:
-    owner = 0
-    while cell >= share(cells, owner, threads)[1]:
-        owner += 1
-    return owner
+__all__ = ["count", "drift", "file", "number", "show"]
 
 
 @bare_kernel
-def drift(
-    slots: Slots, box: Box, grid: Grid, room: Room, time_step: float, thread: int, threads: int
+def drift(slots: Slots, box: Box, time_step: float, thread: int, threads: int) -> None:
+    """Move this thread's share of the particles."""
+    begin, end = share(slots.row.shape[0], thread, threads)
+    _drift_along(slots.x[begin:end], slots.vx[begin:end], time_step, box.width, box.periodic_x)
+    _drift_along(slots.y[begin:end], slots.vy[begin:end], time_step, box.height, box.periodic_y)
+
+
+@inlined_kernel
+def _drift_along(
+    place: NDArray[np.float64], speed: NDArray[np.float64], time_step: float, length: float, periodic: bool
 ) -> None:
-    """Move this thread's share of the particles, and count them by cell."""
+    for slot in range(place.shape[0]):
+        place[slot] += speed[slot] * time_step
+    if periodic:
+        for slot in range(place.shape[0]):
+            place[slot] -= np.floor(place[slot] / length) * length
+
+
+@bare_kernel
+def count(slots: Slots, box: Box, grid: Grid, room: Room, thread: int, threads: int) -> None:
+    """Find the cells of this thread's share of the particles, and count them by cell."""
     tally, shares, cells = room.end[thread], room.share[thread], grid.first[-1]
-    first_own, last_own = share(cells, thread, threads)
-    shares[:] = 0
     tally[:] = 0
     begin, end = share(slots.row.shape[0], thread, threads)
-    elsewhere, own, base = 0, 0, 0
-    columns, rows = grid.columns[0], grid.rows[0]
-    across, along = columns / box.width, rows / box.height
+    if grid.columns.shape[0] == 1:
+        columns, rows = grid.columns[0], grid.rows[0]
+        across, along = columns / box.width, rows / box.height
+        for slot in range(begin, end):
+            row, column = cell_of(slots.y[slot], along, rows), cell_of(slots.x[slot], across, columns)
+            room.cell[slot] = row * columns + column
+    else:
+        for slot in range(begin, end):
+            level = grid.level[slots.row[slot]]
+            columns, rows = grid.columns[level], grid.rows[level]
+            row = cell_of(slots.y[slot], rows / box.height, rows)
+            column = cell_of(slots.x[slot], columns / box.width, columns)
+            room.cell[slot] = grid.first[level] + row * columns + column
     for slot in range(begin, end):
-        x = slots.x[slot] + slots.vx[slot] * time_step
-        y = slots.y[slot] + slots.vy[slot] * time_step
-        if box.periodic_x:
-            x -= np.floor(x / box.width) * box.width
-        if box.periodic_y:
-            y -= np.floor(y / box.height) * box.height
-        slots.x[slot] = x
-        slots.y[slot] = y
-        if grid.columns.shape[0] > 1 and grid.level[slots.row[slot]] != own:
-            own = grid.level[slots.row[slot]]
-            columns, rows, base = grid.columns[own], grid.rows[own], grid.first[own]
-            across, along = columns / box.width, rows / box.height
-        cell = base + cell_of(y, along, rows) * columns + cell_of(x, across, columns)
-        room.cell[slot] = cell
-        tally[cell + 1] += 1
-        if cell < first_own or cell >= last_own:
-            shares[_owner(cell, cells, threads)] += 1
-            elsewhere += 1
-    shares[thread] = end - begin - elsewhere
+        tally[room.cell[slot] + 1] += 1
+    if threads > 1:
+        for owner in range(threads):
+            first, last = share(cells, owner, threads)
+            members = 0
+            for slot in range(begin, end):
+                members += (room.cell[slot] >= first) & (room.cell[slot] < last)
+            shares[owner] = members
 
 
 @bare_kernel
 def number(grid: Grid, room: Room, thread: int, threads: int) -> None:
     """Turn the counts of this thread's share of the cells into first slots, one for each thread."""
     begin, end = share(grid.first[-1], thread, threads)
-    slot = 0
+    tally, slot = room.end, 0
+    if threads == 1:
+        for cell in range(begin + 1, end + 1):
+            members = tally[0, cell]
+            tally[0, cell] = slot
+            slot += members
+        return
     for owner in range(thread):
         for other in range(threads):
             slot += room.share[other, owner]
-    tally = room.end
     for cell in range(begin + 1, end + 1):
         for other in range(threads):
             members = tally[other, cell]

@@ -29,7 +29,9 @@ def _note_pair(first: int, second: int, slots: Slots, lists: Lists, thread: int,
     n = slots.row.shape[0]
     if slots.row[first] > slots.row[second]:
         first, second = second, first
-    return _note(int(slots.row[first]) * n + int(slots.row[second]), first + n * second, lists, thread, found)
+    return _note(
+        int(slots.row[first]) * n + int(slots.row[second]), first | second << 32, lists, thread, found
+    )
 
 
 @inlined_kernel

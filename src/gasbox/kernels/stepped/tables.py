@@ -61,7 +61,7 @@ class Lists(NamedTuple):
     Attributes
     ----------
     key : (threads, capacity) int64, pairs as row of lower id * n + row of higher id, walls as n^2 + 4 * row + wall
-    slot : (threads, capacity) int64, slot of the first + n * slot of the second (or of the one)
+    slot : (threads, capacity) int64, slot of the first (or only) disc, and 2^32 times that of the second
     found : (threads,) int64, how many there are; may be more than there was room for
     done : (threads,) int64, how many of these are done
     """
