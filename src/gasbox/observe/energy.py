@@ -30,13 +30,20 @@ def kinetic_energy(state: State) -> float:
 
 def momentum(state: State) -> NDArray[np.float64]:
     """(2,) float64 [mass·length/time]: total momentum."""
-    total: NDArray[np.float64] = np.sum(state.mass[:, None] * state.velocity, axis=0)
+    total: NDArray[np.float64] = state.mass @ state.velocity
     return total
 
 
 def thermal_energy(state: State, geometry: Rectangle) -> float:
     """Kinetic energy [energy] without that of the drift along periodic directions."""
-    return _energy(state.mass, _thermal_velocity(state, geometry))
+    if state.count == 0 or not np.any(geometry.periodic):
+        return kinetic_energy(state)
+    whole = state.mass @ state.velocity**2
+    drift = np.where(geometry.periodic, momentum(state) ** 2 / np.sum(state.mass), 0.0)
+    if np.any(drift > 0.5 * whole):
+        # The difference would lose digits.
+        return _energy(state.mass, _thermal_velocity(state, geometry))
+    return 0.5 * float(np.sum(whole - drift))
 
 
 def degrees_of_freedom(count: int, geometry: Rectangle) -> int:
@@ -67,7 +74,7 @@ def species_temperature(state: State, geometry: Rectangle, species: int) -> floa
 
 
 def _energy(mass: NDArray[np.float64], velocity: NDArray[np.float64]) -> float:
-    return 0.5 * float(np.sum(mass * (velocity[:, 0] ** 2 + velocity[:, 1] ** 2)))
+    return 0.5 * float(np.sum(mass @ velocity**2))
 
 
 def _thermal_velocity(state: State, geometry: Rectangle) -> NDArray[np.float64]:
