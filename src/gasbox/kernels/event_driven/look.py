@@ -10,11 +10,13 @@ from numpy.typing import NDArray
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.cells import wrapped
+from gasbox.kernels.event_driven.crowd import sift
 from gasbox.kernels.event_driven.flight import meeting_time
-from gasbox.kernels.event_driven.queue import pair_before
+from gasbox.kernels.event_driven.pairs import apart, over_images, precedes, preferred
 from gasbox.kernels.event_driven.tables import (
     COLUMN,
     COLUMNS,
+    CROWDED,
     FACTOR_X,
     FACTOR_Y,
     FASTEST,
@@ -23,17 +25,14 @@ from gasbox.kernels.event_driven.tables import (
     IMAGES_Y,
     LEVEL,
     NEXT,
-    PARTNER,
     RADIUS,
     ROW,
     ROWS,
-    STALE,
     T0,
     T_EVENT,
     TESTS,
     VX,
     VY,
-    WALL,
     Tables,
     X,
     Y,
@@ -41,51 +40,6 @@ from gasbox.kernels.event_driven.tables import (
 from gasbox.kernels.grid import span
 
 __all__ = ["survey"]
-
-
-@inlined_kernel
-def _precedes(
-    flight: NDArray[np.float64], link: NDArray[np.int32], time: float, i: int, j: int, k: int
-) -> bool:
-    """Whether a meeting of i and j at `time` comes before the event that particle k holds."""
-    held = flight[k, T_EVENT]
-    if time != held:
-        return time < held
-    partner = link[k, PARTNER]
-    if partner >= 0:
-        return pair_before(link, i, j, k, partner)
-    return partner != STALE
-
-
-@bare_kernel
-def _over_images(
-    dx: float,
-    dy: float,
-    dvx: float,
-    dvy: float,
-    sigma: float,
-    start: float,
-    box: Box,
-    images_x: int,
-    images_y: int,
-) -> float:
-    """Earliest meeting over the images around the nearest one, in a box of few cells."""
-    best = math.inf
-    for image_y in range(-images_y, images_y + 1):
-        for image_x in range(-images_x, images_x + 1):
-            x, y = dx + image_x * box.width, dy + image_y * box.height
-            best = min(best, meeting_time(x, y, dvx, dvy, sigma, start))
-    return best
-
-
-@inlined_kernel
-def _preferred(link: NDArray[np.int32], time: float, i: int, j: int, best: float, who: int) -> bool:
-    """Whether the meeting of i and j comes before what was found for i so far."""
-    if time != best:
-        return time < best
-    if who >= 0:
-        return pair_before(link, i, j, i, who)
-    return who <= WALL
 
 
 @inlined_kernel
@@ -109,8 +63,7 @@ def _look(
     """
     columns, rows, first, images_x, images_y = grid
     left, right, below, above = block
-    x, y, vx, vy = flight[i, X], flight[i, Y], flight[i, VX], flight[i, VY]
-    t_i, radius = flight[i, T0], flight[i, RADIUS]
+    own = (flight[i, X], flight[i, Y], flight[i, VX], flight[i, VY], flight[i, T0], flight[i, RADIUS])
     across = 1.0 / box.width if box.periodic_x else 0.0
     along = 1.0 / box.height if box.periodic_y else 0.0
     tests = 0
@@ -121,14 +74,7 @@ def _look(
             while j >= 0:
                 after = link[j, NEXT]
                 tests += 1
-                t_j = flight[j, T0]
-                start = max(t_i, t_j)
-                dvx, dvy = vx - flight[j, VX], vy - flight[j, VY]
-                dx = (x + vx * (start - t_i)) - (flight[j, X] + flight[j, VX] * (start - t_j))
-                dy = (y + vy * (start - t_i)) - (flight[j, Y] + flight[j, VY] * (start - t_j))
-                dx -= np.rint((dx + dvx * (now - start)) * across) * box.width
-                dy -= np.rint((dy + dvy * (now - start)) * along) * box.height
-                sigma = radius + flight[j, RADIUS]
+                dx, dy, dvx, dvy, sigma, start = apart(own, flight, j, now, box, across, along)
                 held = flight[j, T_EVENT]
                 if images_x + images_y == 0:
                     b = dx * dvx + dy * dvy
@@ -141,13 +87,13 @@ def _look(
                 elif j == i:
                     time = math.inf
                 else:
-                    time = _over_images(dx, dy, dvx, dvy, sigma, start, box, images_x, images_y)
+                    time = over_images(dx, dy, dvx, dvy, sigma, start, box, images_x, images_y)
                 if (
                     time <= best
                     and time <= held
                     and time < math.inf
-                    and _preferred(link, time, i, j, best, who)
-                    and _precedes(flight, link, time, i, j, j)
+                    and preferred(link, time, i, j, best, who)
+                    and precedes(flight, link, time, i, j, j)
                 ):
                     best, who = time, j
                 j = after
@@ -232,6 +178,7 @@ def survey(
     now: float,
     step_x: int,
     step_y: int,
+    all_around: bool,
     best: float,
     who: int,
 ) -> tuple[float, int]:
@@ -268,6 +215,9 @@ def survey(
         )
         if level >= own:
             block = (cx + left, cx + right, cy + below, cy + above)
+            if all_around and levels[level, CROWDED] > 0:
+                best, who = sift(tables, box, i, now, level, block, best, who)
+                continue
             best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
         else:
             fine_x = levels[own, FACTOR_X] // levels[level, FACTOR_X]

@@ -81,7 +81,7 @@ def predict(tables: Tables, box: Box, i: int, now: float) -> None:
     time, who = _at_wall(tables, box, i)
     if time == math.inf:
         who = NOBODY
-    time, who = survey(tables, box, i, now, 0, 0, time, who)
+    time, who = survey(tables, box, i, now, 0, 0, True, time, who)
     _hold(tables, i, time, who)
 
 
@@ -96,7 +96,7 @@ def predict_entered(tables: Tables, box: Box, i: int, now: float, step_x: int, s
     wall_time, wall = _at_wall(tables, box, i)
     if wall_time < time:
         time, who = wall_time, wall
-    time, who = survey(tables, box, i, now, step_x, step_y, time, who)
+    time, who = survey(tables, box, i, now, step_x, step_y, False, time, who)
     if partner >= 0:
         if who == partner and time == held:
             insert(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, tables.number, i)

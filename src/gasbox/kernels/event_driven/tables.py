@@ -24,8 +24,9 @@ NOBODY, STALE, WALL = -1, -2, -3
 NOWHERE, LATER = -1, -2
 # Columns of `ring`: one past the last entry, first of the chain of those beyond the row, the first entry.
 FILED, CHAIN, FIRST_ENTRY = range(3)
-# Columns of `levels`: columns, rows, first cell, images aside of a pair (x, y), finest cells per cell (x, y).
-COLUMNS, ROWS, FIRST, IMAGES_X, IMAGES_Y, FACTOR_X, FACTOR_Y = range(7)
+# Columns of `levels`: columns, rows, first cell, images aside of a pair (x, y), finest cells per cell (x, y), whether
+# the cells are as narrow as the discs allow, so that many are met and few can come in time.
+COLUMNS, ROWS, FIRST, IMAGES_X, IMAGES_Y, FACTOR_X, FACTOR_Y, CROWDED = range(8)
 # Entries of `counter`: current bucket, its row in the ring, size of the heap, events, pair tests, predictions,
 # crossings, stale events; the number of events at which the rows want sorting; whether to fetch ahead.
 CURRENT, RING_AT, HEAP, EVENTS, TESTS, PREDICTIONS, CROSSINGS, STALES, SORT_AT, FETCHES = range(10)
@@ -50,9 +51,10 @@ class Tables(NamedTuple):
     link : (n, 12) int32, see the columns above
     mass : (n,) float64 [mass]
     head : (cells,) int32, first particle of each cell, -1 if empty
+    near : (1024,) int32, the discs around one that are looked at
     ring : (buckets, 4 or 8) int32, the calendar: the particles in each bucket, see the columns above
     heap : (n,) int32, the particles whose events lie in the current bucket
-    levels : (levels, 7) int64 and sides : (levels, 2) float64 [length], the grids, finest first
+    levels : (levels, 8) int64 and sides : (levels, 2) float64 [length], the grids, finest first
     counter : (10,) int64; number : (4,) float64
     """
 
@@ -60,6 +62,7 @@ class Tables(NamedTuple):
     link: NDArray[np.int32]
     mass: NDArray[np.float64]
     head: NDArray[np.int32]
+    near: NDArray[np.int32]
     ring: NDArray[np.int32]
     heap: NDArray[np.int32]
     levels: NDArray[np.int64]
@@ -77,9 +80,11 @@ def _grids(
     """Nested grids: each cell of a coarser level is divided into whole cells of the next finer one."""
     members = np.maximum(np.bincount(level, minlength=largest.size), 1)
     wanted = 2.0 * largest * (1 + 1e-6)
-    wanted[0] = max(wanted[0], _SPACINGS * np.sqrt(size[0] * size[1] / members[0]))
+    spacing = _SPACINGS * np.sqrt(size[0] * size[1] / members)
+    crowded = wanted > spacing
+    wanted[0] = max(wanted[0], spacing[0])
     count = largest.size
-    levels = np.zeros((count, 7), np.int64)
+    levels = np.zeros((count, 8), np.int64)
     sides = np.zeros((count, 2))
     for axis in range(2):
         side, cells = size[axis], 1
@@ -91,6 +96,7 @@ def _grids(
             if periodic[axis] and cells <= 4:
                 levels[k, IMAGES_X + axis] = 2 if cells == 1 else 1
         levels[:, FACTOR_X + axis] = levels[0, COLUMNS + axis] // levels[:, COLUMNS + axis]
+    levels[:, CROWDED] = crowded & (levels[:, IMAGES_X] + levels[:, IMAGES_Y] == 0)
     cells_of = levels[:, COLUMNS] * levels[:, ROWS]
     levels[:, FIRST] = np.concatenate([[0], np.cumsum(cells_of)[:-1]])
     return levels, sides
@@ -131,6 +137,7 @@ def tables(
         link,
         mass.copy(),
         np.full(cells, -1, np.int32),
+        np.zeros(1024, np.int32),
         _rows(n + 64, 8 if n > _LARGE else 4, np.int32),
         np.zeros(n, np.int32),
         levels,

@@ -1,0 +1,89 @@
+"""Two discs in flight: how they stand to each other, and which of two meetings comes first."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import bare_kernel, inlined_kernel
+from gasbox.kernels.arguments import Box
+from gasbox.kernels.event_driven.flight import meeting_time
+from gasbox.kernels.event_driven.queue import pair_before
+from gasbox.kernels.event_driven.tables import PARTNER, RADIUS, STALE, T0, T_EVENT, VX, VY, WALL, X, Y
+
+__all__ = ["apart", "over_images", "precedes", "preferred"]
+
+
+@inlined_kernel
+def precedes(
+    flight: NDArray[np.float64], link: NDArray[np.int32], time: float, i: int, j: int, k: int
+) -> bool:
+    """Whether a meeting of i and j at `time` comes before the event that particle k holds."""
+    held = flight[k, T_EVENT]
+    if time != held:
+        return time < held
+    partner = link[k, PARTNER]
+    if partner >= 0:
+        return pair_before(link, i, j, k, partner)
+    return partner != STALE
+
+
+@bare_kernel
+def over_images(
+    dx: float,
+    dy: float,
+    dvx: float,
+    dvy: float,
+    sigma: float,
+    start: float,
+    box: Box,
+    images_x: int,
+    images_y: int,
+) -> float:
+    """Earliest meeting over the images around the nearest one, in a box of few cells."""
+    best = math.inf
+    for image_y in range(-images_y, images_y + 1):
+        for image_x in range(-images_x, images_x + 1):
+            x, y = dx + image_x * box.width, dy + image_y * box.height
+            best = min(best, meeting_time(x, y, dvx, dvy, sigma, start))
+    return best
+
+
+@inlined_kernel
+def preferred(link: NDArray[np.int32], time: float, i: int, j: int, best: float, who: int) -> bool:
+    """Whether the meeting of i and j comes before what was found for i so far."""
+    if time != best:
+        return time < best
+    if who >= 0:
+        return pair_before(link, i, j, i, who)
+    return who <= WALL
+
+
+@inlined_kernel
+def apart(
+    own: tuple[float, float, float, float, float, float],
+    flight: NDArray[np.float64],
+    j: int,
+    now: float,
+    box: Box,
+    across: float,
+    along: float,
+) -> tuple[float, float, float, float, float, float]:
+    """A disc and disc j at their later reference time.
+
+    own : position, velocity, reference time and radius of the disc
+    across, along : 1/width and 1/height [1/length], 0 where the box is not periodic
+
+    Returns: difference of the centres (nearest image at `now`), of the velocities, sum of the radii, and this time.
+    """
+    x, y, vx, vy, t_i, radius = own
+    t_j = flight[j, T0]
+    start = max(t_i, t_j)
+    dvx, dvy = vx - flight[j, VX], vy - flight[j, VY]
+    dx = (x + vx * (start - t_i)) - (flight[j, X] + flight[j, VX] * (start - t_j))
+    dy = (y + vy * (start - t_i)) - (flight[j, Y] + flight[j, VY] * (start - t_j))
+    dx -= np.rint((dx + dvx * (now - start)) * across) * box.width
+    dy -= np.rint((dy + dvy * (now - start)) * along) * box.height
+    return dx, dy, dvx, dvy, radius + flight[j, RADIUS], start
