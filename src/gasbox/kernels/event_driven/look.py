@@ -12,7 +12,7 @@ from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.cells import wrapped
 from gasbox.kernels.event_driven.crowd import sift
 from gasbox.kernels.event_driven.flight import meeting_time
-from gasbox.kernels.event_driven.pairs import apart, over_images, precedes, preferred
+from gasbox.kernels.event_driven.pairs import HEAD_ON, TIED, apart, over_images, precedes, preferred
 from gasbox.kernels.event_driven.tables import (
     COLUMN,
     COLUMNS,
@@ -80,7 +80,7 @@ def _look(
                     b = dx * dvx + dy * dvy
                     c = dx * dx + dy * dy - sigma * sigma
                     # Even head-on they could not meet before c/(-2 b): too late?
-                    if b >= 0.0 or c > (min(best, held) - start) * -2.0000000001 * b:
+                    if b >= 0.0 or c > (TIED * min(best, held) - start) * HEAD_ON * b:
                         j = after
                         continue
                     time = meeting_time(dx, dy, dvx, dvy, sigma, start)
