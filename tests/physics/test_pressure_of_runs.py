@@ -127,13 +127,3 @@ def test_mixture_in_bulk():
     expected = (compressibility(theory_of(simulation)) - 1) * (1 - 1 / 330)
     tolerance = 3 * 1.2 / math.sqrt(run.collisions) + 0.003
     assert run.compressibility - 1 == pytest.approx(expected, rel=tolerance)
-
-
-@pytest.mark.validate
-@pytest.mark.parametrize("eta", [0.05, 0.3, 0.6])
-def test_kolafa_and_rottner(eta):
-    simulation = one_gas(1000, eta)
-    settle(simulation, 200)
-    run = measure(simulation, 2_000_000)
-    expected = hard_disc.finite_compressibility(eta, 1000) - 1
-    assert run.compressibility - 1 == pytest.approx(expected, rel=3 * 1.2 / math.sqrt(run.collisions))

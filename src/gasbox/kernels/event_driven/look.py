@@ -74,9 +74,9 @@ def _look(
             while j >= 0:
                 after = link[j, NEXT]
                 tests += 1
-                dx, dy, dvx, dvy, sigma, start = apart(own, flight, j, now, box, across, along)
                 held = flight[j, T_EVENT]
                 if images_x + images_y == 0:
+                    dx, dy, dvx, dvy, sigma, start = apart(own, flight, j, now, box, across, along)
                     b = dx * dvx + dy * dvy
                     c = dx * dx + dy * dy - sigma * sigma
                     # Even head-on they could not meet before c/(-2 b): too late?
@@ -87,7 +87,7 @@ def _look(
                 elif j == i:
                     time = math.inf
                 else:
-                    time = over_images(dx, dy, dvx, dvy, sigma, start, box, images_x, images_y)
+                    time = over_images(own, flight, j, now, box, across, along, images_x, images_y)
                 if (
                     time <= best
                     and time <= held

@@ -35,27 +35,6 @@ def precedes(
     return partner != STALE
 
 
-@bare_kernel
-def over_images(
-    dx: float,
-    dy: float,
-    dvx: float,
-    dvy: float,
-    sigma: float,
-    start: float,
-    box: Box,
-    images_x: int,
-    images_y: int,
-) -> float:
-    """Earliest meeting over the images around the nearest one, in a box of few cells."""
-    best = math.inf
-    for image_y in range(-images_y, images_y + 1):
-        for image_x in range(-images_x, images_x + 1):
-            x, y = dx + image_x * box.width, dy + image_y * box.height
-            best = min(best, meeting_time(x, y, dvx, dvy, sigma, start))
-    return best
-
-
 @inlined_kernel
 def preferred(link: NDArray[np.int32], time: float, i: int, j: int, best: float, who: int) -> bool:
     """Whether the meeting of i and j comes before what was found for i so far."""
@@ -64,6 +43,19 @@ def preferred(link: NDArray[np.int32], time: float, i: int, j: int, best: float,
     if who >= 0:
         return pair_before(link, i, j, i, who)
     return who <= WALL
+
+
+@inlined_kernel
+def _unfolded(
+    own: tuple[float, float, float, float, float, float], flight: NDArray[np.float64], j: int
+) -> tuple[float, float, float, float, float, float]:
+    x, y, vx, vy, t_i, radius = own
+    t_j = flight[j, T0]
+    start = max(t_i, t_j)
+    dvx, dvy = vx - flight[j, VX], vy - flight[j, VY]
+    dx = (x + vx * (start - t_i)) - (flight[j, X] + flight[j, VX] * (start - t_j))
+    dy = (y + vy * (start - t_i)) - (flight[j, Y] + flight[j, VY] * (start - t_j))
+    return dx, dy, dvx, dvy, radius + flight[j, RADIUS], start
 
 
 @inlined_kernel
@@ -83,12 +75,34 @@ def apart(
 
     Returns: difference of the centres (nearest image at `now`), of the velocities, sum of the radii, and this time.
     """
-    x, y, vx, vy, t_i, radius = own
-    t_j = flight[j, T0]
-    start = max(t_i, t_j)
-    dvx, dvy = vx - flight[j, VX], vy - flight[j, VY]
-    dx = (x + vx * (start - t_i)) - (flight[j, X] + flight[j, VX] * (start - t_j))
-    dy = (y + vy * (start - t_i)) - (flight[j, Y] + flight[j, VY] * (start - t_j))
+    dx, dy, dvx, dvy, sigma, start = _unfolded(own, flight, j)
     dx -= np.rint((dx + dvx * (now - start)) * across) * box.width
     dy -= np.rint((dy + dvy * (now - start)) * along) * box.height
-    return dx, dy, dvx, dvy, radius + flight[j, RADIUS], start
+    return dx, dy, dvx, dvy, sigma, start
+
+
+@bare_kernel
+def over_images(
+    own: tuple[float, float, float, float, float, float],
+    flight: NDArray[np.float64],
+    j: int,
+    now: float,
+    box: Box,
+    across: float,
+    along: float,
+    images_x: int,
+    images_y: int,
+) -> float:
+    """Earliest meeting over the images around the nearest one, in a box of few cells; arguments as for `apart`.
+
+    The whole shift to an image is made in one step: made in two it would round by what is the nearest at `now`.
+    """
+    best = math.inf
+    dx, dy, dvx, dvy, sigma, start = _unfolded(own, flight, j)
+    column = np.rint((dx + dvx * (now - start)) * across)
+    row = np.rint((dy + dvy * (now - start)) * along)
+    for image_y in range(-images_y, images_y + 1):
+        for image_x in range(-images_x, images_x + 1):
+            x, y = dx - (column + image_x) * box.width, dy - (row + image_y) * box.height
+            best = min(best, meeting_time(x, y, dvx, dvy, sigma, start))
+    return best
