@@ -125,7 +125,7 @@ def tables(
     cells = int((levels[:, COLUMNS] * levels[:, ROWS]).sum())
     flight = _rows(n, 8, np.float64)
     flight[:, RADIUS] = radius
-    link = _rows(n, 16, np.int32)
+    link = _rows(n, 12, np.int32)
     link[:] = -1
     link[:, LEVEL] = level
     link[:, LABEL] = np.arange(n)
