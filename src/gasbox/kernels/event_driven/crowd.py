@@ -8,7 +8,7 @@ from gasbox.jit import bare_kernel
 from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.cells import wrapped
 from gasbox.kernels.event_driven.flight import meeting_time
-from gasbox.kernels.event_driven.pairs import HEAD_ON, TIED, apart, precedes, preferred
+from gasbox.kernels.event_driven.pairs import HEAD_ON, LATEST, TIED, apart, precedes, preferred
 from gasbox.kernels.event_driven.tables import (
     COLUMNS,
     FIRST,
@@ -77,7 +77,8 @@ def sift(
         b = dx * dvx + dy * dvy
         c = dx * dx + dy * dy - sigma * sigma
         near[kept] = j
-        kept += (b < 0.0) & (c <= (TIED * min(best, flight[j, T_EVENT]) - start) * HEAD_ON * b)
+        latest = min(best, flight[j, T_EVENT], LATEST)
+        kept += (b < 0.0) & (c <= (TIED * latest - start) * HEAD_ON * b)
     for place in range(kept):
         j = near[place]
         dx, dy, dvx, dvy, sigma, start = apart(own, flight, j, now, box, across, along)

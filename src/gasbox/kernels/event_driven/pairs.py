@@ -13,10 +13,12 @@ from gasbox.kernels.event_driven.flight import meeting_time
 from gasbox.kernels.event_driven.queue import pair_before
 from gasbox.kernels.event_driven.tables import PARTNER, RADIUS, STALE, T0, T_EVENT, VX, VY, WALL, X, Y
 
-__all__ = ["HEAD_ON", "TIED", "apart", "over_images", "precedes", "preferred"]
+__all__ = ["HEAD_ON", "LATEST", "TIED", "apart", "over_images", "precedes", "preferred"]
 
 HEAD_ON = -2.0000000001
 """Discs cannot meet before c/(-2 b), even head-on; with a margin for rounding."""
+LATEST = 1e300
+"""In place of no time at all, where it is multiplied by what may be zero."""
 TIED = 1.0 + 4.0 / 2**53
 """A meeting later than another one by less than this factor may come to the same floating-point time."""
 
