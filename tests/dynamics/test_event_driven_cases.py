@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from gases import collect, collisions, deepest_overlap, energy, event_driven, random_gas, state_of
 
+from gasbox.errors import DynamicsError
 from gasbox.geometry import Rectangle
 
 pytestmark = pytest.mark.small
@@ -90,6 +91,15 @@ def test_nobody_moves():
     engine = event_driven(state, BOX)
     engine.advance(state, 1e9)
     assert state.position.tolist() == [[5, 5], [9, 9]]
+
+
+@pytest.mark.parametrize("contacts", [0, 7])
+def test_who_has_no_room_to_move_is_told(contacts):
+    """A disc as wide as its box hits both walls for ever at one moment, however often contacts are read meanwhile."""
+    state = state_of([[1, 5]], [[1, 0.5]])
+    engine = event_driven(state, Rectangle(2, 10), contacts)
+    with pytest.raises(DynamicsError, match=r"time 0\b"):
+        collect(engine, state, 1.0)
 
 
 def test_empty_box():

@@ -144,8 +144,9 @@ class EventDriven:
                 break
         self.contacts.count = int(rows[0])
         if status == arguments.NO_PROGRESS:
+            moment = self._start + float(self._tables.number[NOW])
             raise DynamicsError(
-                f"very many collisions at one moment (time {self._start + local:g}): the discs are jammed or touch "
+                f"very many collisions at one moment (time {moment:g}): the discs are jammed or touch "
                 "all around; start them a little apart"
             )
         if status == arguments.FULL:

@@ -19,6 +19,7 @@ from gasbox.kernels.event_driven.tables import (
     CURRENT,
     EVENTS,
     FETCHES,
+    IDLE,
     LABEL,
     NOBODY,
     NOW,
@@ -172,7 +173,8 @@ def advance(tables: Tables, box: Box, book: Ledger, until: float, epoch: float) 
     flight, link, counter = tables.flight, tables.link, tables.counter
     limited = book.kind.shape[0] > 0
     patience = 1000 * (flight.shape[0] + 10)
-    idle, latest = 0, -math.inf
+    # Kept from call to call: otherwise contacts to read and rows to sort would renew the patience for ever.
+    idle, latest = counter[IDLE], tables.number[NOW]
     foreseen = counter[CURRENT]
     while True:
         i = earliest(flight, link, tables.ring, tables.heap, counter, tables.number, until)
@@ -192,6 +194,7 @@ def advance(tables: Tables, box: Box, book: Ledger, until: float, epoch: float) 
             idle += 1
             if idle > patience:
                 return NO_PROGRESS
+        counter[IDLE] = idle
         if counter[EVENTS] >= counter[SORT_AT]:
             return SORT
         if crossing <= event:

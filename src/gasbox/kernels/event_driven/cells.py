@@ -73,15 +73,18 @@ def leave(link: NDArray[np.int32], head: NDArray[np.int32], i: int) -> None:
 def _time_to_cross(
     x: float, v: float, cell: int, cells: int, side: float, length: float, periodic: bool
 ) -> float:
-    """Time from now until the coordinate `x` leaves its cell, infinity if it stays or ends at a wall."""
+    """Time from now until the coordinate `x` leaves its cell, infinity if it stays or ends at a wall.
+
+    A cell as long as a periodic box has no edge; other images come near, and are looked for after each length flown.
+    """
     if v == 0.0 or (not periodic and cell == (cells - 1 if v > 0.0 else 0)):
         return math.inf
+    if cells == 1:
+        return length / abs(v)
     within = x - cell * side
     if periodic:
         within -= length * np.rint((within - 0.5 * side) / length)
     distance = max(side - within, 0.0) if v > 0.0 else max(within, 0.0)
-    if cells == 1 and distance < 1e-9 * side:
-        distance += side
     return distance / abs(v)
 
 
@@ -133,16 +136,29 @@ def cross(
     i: int,
     now: float,
 ) -> tuple[int, int]:
-    """Move particle `i` into the cell that it enters at time `now`; return the direction (-1, 0 or 1 in x and y)."""
+    """Move particle `i` into the cell that it enters at time `now`, and return where to look for what has come near.
+
+    Returns
+    -------
+    The direction (-1, 0 or 1 in x and y); 0 and 0, all around, where a cell is as long as a periodic box.
+    """
     along_x, along_y = _times_to_cross(flight, link, levels, sides, box, i, now)
-    step_x, step_y = 0, 0
-    if along_x <= along_y:
-        step_x = 1 if flight[i, VX] > 0.0 else -1
-    else:
-        step_y = 1 if flight[i, VY] > 0.0 else -1
     level = link[i, LEVEL]
-    column = wrapped(link[i, COLUMN] + step_x, levels[level, COLUMNS])
-    row = wrapped(link[i, ROW] + step_y, levels[level, ROWS])
+    columns, rows = levels[level, COLUMNS], levels[level, ROWS]
+    vx, vy = flight[i, VX], flight[i, VY]
+    all_around = (box.periodic_x and columns == 1) or (box.periodic_y and rows == 1)
+    step_x, step_y = 0, 0
+    if all_around:
+        # Has it reached an edge, or flown once round the box?
+        if columns > 1 and along_x * abs(vx) < 1e-7 * sides[level, 0]:
+            step_x = 1 if vx > 0.0 else -1
+        elif rows > 1 and along_y * abs(vy) < 1e-7 * sides[level, 1]:
+            step_y = 1 if vy > 0.0 else -1
+    elif along_x <= along_y:
+        step_x = 1 if vx > 0.0 else -1
+    else:
+        step_y = 1 if vy > 0.0 else -1
     leave(link, head, i)
+    column, row = wrapped(link[i, COLUMN] + step_x, columns), wrapped(link[i, ROW] + step_y, rows)
     enter(link, head, levels, i, column, row)
-    return step_x, step_y
+    return (0, 0) if all_around else (step_x, step_y)

@@ -28,8 +28,9 @@ FILED, CHAIN, FIRST_ENTRY = range(3)
 # the cells are as narrow as the discs allow, so that many are met and few can come in time.
 COLUMNS, ROWS, FIRST, IMAGES_X, IMAGES_Y, FACTOR_X, FACTOR_Y, CROWDED = range(8)
 # Entries of `counter`: current bucket, its row in the ring, size of the heap, events, pair tests, predictions,
-# crossings, stale events; the number of events at which the rows want sorting; whether to fetch ahead.
-CURRENT, RING_AT, HEAP, EVENTS, TESTS, PREDICTIONS, CROSSINGS, STALES, SORT_AT, FETCHES = range(10)
+# crossings, stale events; the number of events at which the rows want sorting; whether to fetch ahead; events since
+# time moved on.
+CURRENT, RING_AT, HEAP, EVENTS, TESTS, PREDICTIONS, CROSSINGS, STALES, SORT_AT, FETCHES, IDLE = range(11)
 # Entries of `number`: buckets per time, end of the epoch, time of the last event, a speed that no disc exceeds.
 BUCKETS_PER_TIME, HORIZON, NOW, FASTEST = range(4)
 
@@ -57,7 +58,7 @@ class Tables(NamedTuple):
     ring : (buckets, 4 or 8) int32, the calendar: the particles in each bucket, see the columns above
     heap : (n,) int32, the particles whose events lie in the current bucket
     levels : (levels, 8) int64 and sides : (levels, 2) float64 [length], the grids, finest first
-    counter : (10,) int64; number : (4,) float64
+    counter : (11,) int64; number : (4,) float64
     """
 
     flight: NDArray[np.float64]
@@ -134,7 +135,7 @@ def tables(
     link[:, SPECIES] = species
     # As many as the cache has room for.
     buckets, entries = (2 * n, 8) if n <= _SMALL else (n, 8 if n > _LARGE else 4)
-    counter = np.zeros(10, np.int64)
+    counter = np.zeros(11, np.int64)
     counter[FETCHES] = n > _LARGE
     return Tables(
         flight,
