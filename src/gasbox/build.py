@@ -42,7 +42,7 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
     ScenarioError
         Particles that cannot be placed, or overlap where that is not allowed.
     """
-    geometry = scenario.container.geometry()
+    geometry = scenario.geometry()
     state = populate(scenario)
     warnings: list[str] = []
     memory = _memory(scenario)
@@ -175,7 +175,7 @@ def _tiny(kind: str) -> Scenario:
 
 def _part_tiny() -> None:
     scenario = _tiny("stepped")
-    state, geometry = populate(scenario), scenario.container.geometry()
+    state, geometry = populate(scenario), scenario.geometry()
     state.position[1] = state.position[0] + 0.01
     worst_overlap(state, geometry)
     separate(state, geometry)

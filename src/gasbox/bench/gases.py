@@ -83,7 +83,7 @@ class PlainSteppedGas:
 
     def __init__(self, scenario: Scenario) -> None:
         assert isinstance(scenario.dynamics, Stepped)
-        state, size = populate(scenario), scenario.container.geometry().size
+        state, size = populate(scenario), scenario.geometry().size
         radius, time_step = float(state.radius[0]), scenario.dynamics.time_step
         self._engine = PlainStepped(state.position, state.velocity, size, radius, time_step)
 

@@ -19,7 +19,7 @@ __all__ = ["Gauges", "ObservedGas", "observed_gases"]
 
 def observed_gases(scenario: Scenario) -> list[ObservedGas]:
     """The same gas three times: nobody looks, gauges are read at each frame, every contact is logged."""
-    geometry = scenario.container.geometry()
+    geometry = scenario.geometry()
     radii = np.array([species.radius for species in scenario.species])
     return [
         ObservedGas(scenario, OURS),

@@ -54,7 +54,7 @@ class PymunkGas:
         self._space = space = pymunk.Space()
         space.iterations, space.collision_slop, space.damping = 10, 0.0, 1.0
         state = populate(scenario)
-        for start, end in _corners(scenario.container.geometry().size):
+        for start, end in _corners(scenario.geometry().size):
             self._add(pymunk.Segment(space.static_body, start, end, 0.0))
         for position, velocity in zip(state.position.tolist(), state.velocity.tolist(), strict=True):
             body = pymunk.Body(1.0, float("inf"))
@@ -91,7 +91,7 @@ class Box2DGas:
         surface = pyb2d3.surface_material(restitution=1.0, friction=0.0)
         shape = pyb2d3.shape_def(density=1.0 / np.pi, material=surface, enable_contact_events=False)
         walls = world.create_static_body(position=(0, 0))
-        for start, end in _corners(scenario.container.geometry().size):
+        for start, end in _corners(scenario.geometry().size):
             walls.create_segment_shape(shape, pyb2d3.segment(start, end))
         state, circle = populate(scenario), pyb2d3.circle(radius=1.0)
         body = pyb2d3.body_def(type=pyb2d3.BodyType.DYNAMIC, enable_sleep=False, fixed_rotation=True)
@@ -122,7 +122,7 @@ class ReboundGas:
         import rebound  # type: ignore[import-untyped]
 
         self._gas = gas = rebound.Simulation()
-        state, size = populate(scenario), scenario.container.geometry().size
+        state, size = populate(scenario), scenario.geometry().size
         gas.integrator, gas.gravity, gas.dt = "leapfrog", "none", 1.0
         gas.collision, gas.collision_resolve = "tree", "hardsphere"
         # The tree's root is centred on zero; centres stay within it with a little to spare.
@@ -158,7 +158,7 @@ class ArrayGas:
 
         self._tree = cKDTree
         self._state: State = populate(scenario)
-        self._size: NDArray[np.float64] = scenario.container.geometry().size
+        self._size: NDArray[np.float64] = scenario.geometry().size
 
     def work(self, portions: int) -> float:
         """Steps times particles."""

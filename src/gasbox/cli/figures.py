@@ -78,7 +78,7 @@ def _panels(recording: Recording, frames: range, temperature: float | None) -> l
 
 def _edges(scenario: Scenario, frame: Frame) -> list[NDArray[np.float64]]:
     """Bins as the scenario says; where it says no end, each species has its own."""
-    wanted, geometry = scenario.histograms, scenario.container.geometry()
+    wanted, geometry = scenario.histograms, scenario.geometry()
     ends = [
         wanted.maximum or automatic_maximum(frame.state, geometry, number, wanted.quantity)
         for number in range(len(scenario.species))
@@ -106,6 +106,6 @@ def _theory(scenario: Scenario, frame: Frame, temperature: float | None) -> tupl
         np.bincount(frame.state.species, minlength=len(kinds)),
         [species.mass for species in kinds],
         [species.radius for species in kinds],
-        scenario.container.geometry().area,
+        scenario.geometry().area,
     )
     return ideal_pressure(gas, temperature), pressure(gas, temperature)

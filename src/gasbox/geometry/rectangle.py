@@ -30,6 +30,25 @@ class Rectangle:
     """Names of the walls, in the order of their indices. A periodic direction leaves its two walls unused."""
 
     @property
+    def wall_names(self) -> tuple[str, ...]:
+        """In the order of the indices."""
+        return self.WALLS
+
+    @property
+    def gravity(self) -> tuple[float, float]:
+        """None: (0, 0)."""
+        return (0.0, 0.0)
+
+    @property
+    def moves(self) -> bool:
+        """Whether any wall moves: none does."""
+        return False
+
+    def at(self, displacement: NDArray[np.float64]) -> Rectangle:
+        """The same: its walls are at rest."""
+        return self
+
+    @property
     def area(self) -> float:
         """Whole area [length²]."""
         return self.width * self.height

@@ -40,7 +40,7 @@ def place(
     ScenarioError
         No places were found within a bounded amount of work.
     """
-    geometry = scenario.container.geometry()
+    geometry = scenario.geometry()
     radii = np.array([entry.radius for entry in scenario.species])
     bounds = np.array([entry.bounds(geometry) for entry in scenario.species])
     low, high = _centre_bounds(geometry, bounds, radii)

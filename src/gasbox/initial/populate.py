@@ -28,7 +28,7 @@ def populate(scenario: Scenario) -> State:
         species, position, velocity = scenario.particles.arrays(names)
     if scenario.snapshot is not None:
         return _state(scenario, scenario.snapshot.time, species, position, velocity)
-    position = scenario.container.geometry().wrap(position)
+    position = scenario.geometry().wrap(position)
     counts = [entry.count for entry in scenario.species]
     counted = np.repeat(np.arange(len(counts), dtype=np.int32), counts)
     placed = place(scenario, position, species, counted)

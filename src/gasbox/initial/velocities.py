@@ -77,7 +77,7 @@ def _correct(scenario: Scenario, velocity: NDArray[np.float64], drawn: dict[int,
     """Take off the momentum along periodic directions and set the energies of the species, in place."""
     if sum(members.size for members in drawn.values()) < 2:
         return
-    periodic = scenario.container.geometry().periodic
+    periodic = scenario.geometry().periodic
     masses = [scenario.species[number].mass for number in drawn]
     total = sum(mass * members.size for mass, members in zip(masses, drawn.values(), strict=True))
     targets = [_energy(scenario, number, members.size, total) for number, members in drawn.items()]
@@ -136,5 +136,5 @@ def _at_rest(groups: list[NDArray[np.float64]], masses: list[float], periodic: N
 def _energy(scenario: Scenario, number: int, count: int, total: float) -> float:
     """Kinetic energy [energy] that `count` discs of a species are to have in a drawn gas of mass `total`."""
     species = scenario.species[number]
-    directions = int(scenario.container.geometry().periodic.sum())
+    directions = int(scenario.geometry().periodic.sum())
     return count * float(species.temperature or 0.0) * (1 - directions / 2 * species.mass / total)

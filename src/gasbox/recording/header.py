@@ -32,7 +32,7 @@ def _metadata(file: h5py.File) -> None:
 
 
 def _box(file: h5py.File, scenario: Scenario) -> None:
-    geometry = scenario.container.geometry()
+    geometry = scenario.geometry()
     box = file.create_group(f"{places.PARTICLES}/box")
     box.attrs["dimension"] = 2
     box.attrs["boundary"] = np.array([b"periodic" if periodic else b"none" for periodic in geometry.periodic])

@@ -22,7 +22,7 @@ class Measurements:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        self._geometry: Rectangle = scenario.container.geometry()
+        self._geometry: Rectangle = scenario.geometry()
         self._radii = np.array([species.radius for species in scenario.species])
         self._before: tuple[float, Tallies] | None = None
 

@@ -17,7 +17,13 @@ __all__ = ["KnownKeys", "near", "path_of", "short", "translate"]
 KnownKeys = Mapping[tuple[str, ...], tuple[str, ...]]
 """Path without indices -> the keys known there."""
 
-_TAGS: Final = frozenset({"stepped", "event-driven"})
+_TAGS: Final = frozenset(
+    {
+        *("stepped", "event-driven"),
+        *("rectangle", "circle", "polygon", "regular-polygon", "segment", "disc"),
+        *("constant", "path", "sinusoid", "piston"),
+    }
+)
 """pydantic puts the tag of a union into the location; a person never wrote it there."""
 
 
@@ -54,7 +60,7 @@ def near(word: str, known: Iterable[str]) -> str:
 
 def translate(error: ErrorDetails, known: KnownKeys) -> Problem:
     """One error of pydantic as a `Problem`."""
-    location = tuple(step for place, step in enumerate(error["loc"]) if not (place == 1 and step in _TAGS))
+    location = _without_tags(error["loc"])
     path = path_of(location)
     kind, context = error["type"], error.get("ctx", {})
     if kind == "missing":
@@ -67,6 +73,16 @@ def translate(error: ErrorDetails, known: KnownKeys) -> Problem:
     if kind == "union_tag_invalid":
         return Problem(f"{path}.{_tag(context)}", short(context.get("tag")), f"must be {_expected(context)}")
     return Problem(path, short(error["input"]), _allowed(kind, context, error["msg"]))
+
+
+def _without_tags(location: tuple[int | str, ...]) -> tuple[int | str, ...]:
+    """The location without tags: one follows the key of a union, or the index of an entry."""
+    tagged = {"container", "dynamics", "motion"}
+    return tuple(
+        step
+        for place, step in enumerate(location)
+        if not (step in _TAGS and place and (location[place - 1] in tagged or isinstance(location[place - 1], int)))
+    )
 
 
 def _tag(context: dict[str, Any]) -> str:

@@ -9,10 +9,7 @@ from gasbox.scenario.problems import short
 
 __all__ = ["without_reserved"]
 
-KEYS: Final = frozenset(
-    {"gravity", "walls", "obstacles", "forces", "thermostat", "molecules", "world", "schedule", "units"}
-)
-SHAPES: Final = frozenset({"circle", "polygon", "regular-polygon"})
+KEYS: Final = frozenset({"forces", "thermostat", "molecules", "world", "units"})
 KINDS: Final = frozenset({"forced"})
 
 
@@ -20,10 +17,9 @@ def without_reserved(data: dict[str, Any]) -> tuple[dict[str, Any], list[Problem
     """`data` without what is not available yet, and one problem for each such thing."""
     problems = [Problem(key, short(data[key]), f"{key} is not available yet") for key in data if key in KEYS]
     rest = {key: value for key, value in data.items() if key not in KEYS}
-    for section, key, words in (("container", "shape", SHAPES), ("dynamics", "kind", KINDS)):
-        part = rest.get(section)
-        word = part.get(key) if isinstance(part, dict) else None
-        if isinstance(word, str) and word in words:
-            problems.append(Problem(f"{section}.{key}", short(word), f"{word} is not available yet"))
-            del rest[section]
+    dynamics = rest.get("dynamics")
+    kind = dynamics.get("kind") if isinstance(dynamics, dict) else None
+    if isinstance(kind, str) and kind in KINDS:
+        problems.append(Problem("dynamics.kind", short(kind), f"{kind} is not available yet"))
+        del rest["dynamics"]
     return rest, problems

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from gasbox.errors import Problem
-from gasbox.scenario.container import RectangleContainer
+from gasbox.scenario.container import Container, RectangleContainer
 from gasbox.scenario.density import density_problems
 from gasbox.scenario.dynamics import EventDriven, Stepped
 from gasbox.scenario.histograms import Histograms
@@ -31,7 +31,7 @@ _SOURCES: Final = ("temperature", "speed", "velocities")
 class Parts:
     """The parts of a scenario, None where a part is invalid by itself."""
 
-    container: RectangleContainer | None
+    container: Container | None
     species: tuple[Species | None, ...]
     particles: Particles | None
     dynamics: Stepped | EventDriven | None
@@ -44,7 +44,7 @@ def broken_rules(parts: Parts) -> list[Problem]:
     """All problems between fields."""
     rules = (_names, _velocities, _total, _listed_names, _frames, _axis, _snapshot)
     problems = [problem for rule in rules for problem in rule(parts)]
-    if parts.container is None:
+    if not isinstance(parts.container, RectangleContainer):
         return problems
     geometry = parts.container.geometry()
     room = [*size_problems(geometry, parts.species), *region_problems(geometry, parts.species)]
@@ -103,7 +103,9 @@ def _listed_names(parts: Parts) -> Iterator[Problem]:
 
 def _listed_positions(parts: Parts) -> Iterator[Problem]:
     # What the stepped rule has moved beyond a wall may stand in a snapshot.
-    if parts.particles is None or parts.container is None or parts.snapshot is not None:
+    if parts.particles is None or parts.snapshot is not None:
+        return
+    if not isinstance(parts.container, RectangleContainer):
         return
     width, height = parts.container.width, parts.container.height
     x, y = parts.particles.position.T
@@ -135,4 +137,6 @@ def _axis(parts: Parts) -> Iterator[Problem]:
 
 def _snapshot(parts: Parts) -> Iterator[Problem]:
     if parts.snapshot is not None:
-        yield from snapshot_problems(parts.snapshot, parts.particles, len(parts.species))
+        walls = _wall_count(parts)
+        if walls is not None:
+            yield from snapshot_problems(parts.snapshot, parts.particles, len(parts.species), walls)

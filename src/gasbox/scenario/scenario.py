@@ -10,19 +10,24 @@ from pydantic import Field, ModelWrapValidatorHandler, Strict, ValidationError, 
 from pydantic_core import ErrorDetails
 
 from gasbox.errors import Problem, ScenarioError
+from gasbox.geometry import Geometry
 from gasbox.scenario.colors import PALETTE
 from gasbox.scenario.columns import read_particles
-from gasbox.scenario.container import RectangleContainer
+from gasbox.scenario.container import SHAPES, Container
 from gasbox.scenario.dynamics import Dynamics, EventDriven, Stepped
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.layout import layout
+from gasbox.scenario.obstacles import BlockObstacle, Obstacle, PostObstacle, SegmentObstacle
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.problems import KnownKeys, short, translate
 from gasbox.scenario.reserved import without_reserved
 from gasbox.scenario.rules import Parts, broken_rules
+from gasbox.scenario.schedule import ScheduledChange
 from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Region, Species
-from gasbox.scenario.values import LARGEST_SPECIES, WHOLE, Positive, Section
+from gasbox.scenario.surroundings import geometry_of
+from gasbox.scenario.values import LARGEST_SPECIES, WHOLE, Positive, Section, Vector
+from gasbox.scenario.walls import Passes, WallSettings
 
 __all__ = ["Scenario"]
 
@@ -50,8 +55,14 @@ class Scenario(Section):
     """One sentence on what to watch for."""
     seed: Annotated[int, Strict(), Field(ge=0, lt=2**63), WHOLE] = 0
     """Seed of all random numbers."""
-    container: RectangleContainer
+    container: Container
     """The box."""
+    walls: dict[str, WallSettings] = {}
+    """Properties of sides of the container, by name: left, right, bottom, top of a rectangle; rim; side-1, side-2, ..."""
+    obstacles: Annotated[tuple[Obstacle, ...], Field(max_length=10_000)] = ()
+    """What stands in the container."""
+    gravity: Vector = (0.0, 0.0)
+    """Acceleration of all discs [length/time²]."""
     species: Annotated[tuple[Species, ...], Field(min_length=1, max_length=LARGEST_SPECIES)]
     """The kinds of particle."""
     particles: Particles | None = None
@@ -62,6 +73,8 @@ class Scenario(Section):
     """Simulated time of one frame [time]; without it, chosen from the gas. At 1x, 60 a second."""
     histograms: Histograms = Histograms()
     """How the histograms are drawn."""
+    schedule: Annotated[tuple[ScheduledChange, ...], Field(max_length=10_000)] = ()
+    """What changes at given times."""
     snapshot: Snapshot | None = None
     """Present in a saved state only; then `particles` is the whole gas and the counts are history."""
 
@@ -88,13 +101,19 @@ class Scenario(Section):
             raise ScenarioError(_bounded(problems))
         return scenario
 
+    def geometry(self) -> Geometry:
+        """What the gas moves in, at its start: a plain rectangle, or an enclosure where there is more to it."""
+        names = tuple(entry.name for entry in self.species)
+        return geometry_of(self.container, self.walls, self.obstacles, self.gravity, names)
+
     def to_dict(self) -> dict[str, Any]:
         """The scenario as JSON values; `parse` reads it back to an equal one."""
         large = {"particles", "snapshot"}
         values = self.model_dump(mode="json", by_alias=True, exclude_none=True, exclude=large)
         # These may hold millions of numbers: they go straight from arrays to lists.
         values |= {name: part.to_json() for name in large if (part := getattr(self, name)) is not None}
-        return {key: values[key] for key in _keys(Scenario) if key in values}
+        unsaid = {"walls": {}, "obstacles": [], "gravity": [0.0, 0.0], "schedule": []}
+        return {key: values[key] for key in _keys(Scenario) if key in values and values[key] != unsaid.get(key)}
 
     def to_json(self) -> str:
         """The scenario as JSON text; floats read back to the same bits."""
@@ -160,7 +179,7 @@ def _parts(data: dict[str, Any], scenario: Scenario | None, particles: Particles
     kind = dynamics.get("kind") if isinstance(dynamics, dict) else None
     interval = data.get("frame_interval")
     return Parts(
-        _one(RectangleContainer, data.get("container")),
+        _container(data.get("container")),
         tuple(_one(Species, entry) for entry in species) if isinstance(species, list | tuple) else (),
         particles,
         _one(Stepped, dynamics) if kind == "stepped" else None,
@@ -168,6 +187,11 @@ def _parts(data: dict[str, Any], scenario: Scenario | None, particles: Particles
         _one(Histograms, data.get("histograms", {})),
         _one(Snapshot, data.get("snapshot")),
     )
+
+
+def _container(data: Any) -> Container | None:
+    shape = data.get("shape", "rectangle") if isinstance(data, dict) else None
+    return _one(SHAPES[shape], data) if isinstance(shape, str) and shape in SHAPES else None
 
 
 def _one(section: type[_Section], data: Any) -> _Section | None:
@@ -190,7 +214,13 @@ def _keys(section: type[Section]) -> tuple[str, ...]:
 
 _KNOWN: Final[KnownKeys] = {
     (): _keys(Scenario),
-    ("container",): _keys(RectangleContainer),
+    ("container",): tuple(dict.fromkeys(key for shape in SHAPES.values() for key in _keys(shape))),
+    ("walls",): _keys(WallSettings),
+    ("obstacles",): tuple(
+        dict.fromkeys(key for shape in (SegmentObstacle, BlockObstacle, PostObstacle) for key in _keys(shape))
+    ),
+    ("obstacles", "passes"): _keys(Passes),
+    ("schedule",): _keys(ScheduledChange),
     ("species",): _keys(Species),
     ("species", "region"): _keys(Region),
     ("dynamics",): ("kind", "time_step"),

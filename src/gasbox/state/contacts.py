@@ -12,10 +12,11 @@ __all__ = ["ContactKind", "Contacts"]
 
 
 class ContactKind(IntEnum):
-    """What met: two particles, or a particle and a wall. Numbers are part of the file format."""
+    """What met: two particles, or a particle and a wall, or who passed a wall. Numbers are part of the file format."""
 
     PAIR = 0
     WALL = 1
+    CROSSING = 2
 
 
 @dataclass
@@ -32,7 +33,7 @@ class Contacts:
     time : (capacity,) float64 [time]
     first : (capacity,) int64, id of the particle (of a pair: the lower id)
     second : (capacity,) int64, id of the other particle, or index of the wall
-    impulse : (capacity, 2) float64 [mass·length/time], given to `first`
+    impulse : (capacity, 2) float64 [mass·length/time], given to `first`; of a crossing, the momentum of `first`
     """
 
     count: int

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,8 @@ class State:
     radius : (n,) float64 [length]
     position : (n, 2) float64 [length], centres; inside the box also where it is periodic
     velocity : (n, 2) float64 [length/time]
+    wall_displacement : (walls,) float64 [length], of each wall along its normal since the start; empty if none moves
+    wall_velocity : (walls,) float64 [length/time], likewise
     """
 
     time: float
@@ -32,6 +34,8 @@ class State:
     radius: NDArray[np.float64]
     position: NDArray[np.float64]
     velocity: NDArray[np.float64]
+    wall_displacement: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    wall_velocity: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
 
     @property
     def count(self) -> int:
@@ -48,4 +52,11 @@ class State:
             self.radius.copy(),
             self.position.copy(),
             self.velocity.copy(),
+            self.wall_displacement.copy(),
+            self.wall_velocity.copy(),
         )
+
+    def keep(self, rows: NDArray[np.bool_]) -> None:
+        """Go on with these particles (n,) bool alone; the others have left."""
+        for name in ("id", "species", "mass", "radius", "position", "velocity"):
+            setattr(self, name, getattr(self, name)[rows])

@@ -16,7 +16,13 @@ from numpy.polynomial import Polynomial
 
 from gasbox.theory.real import Real, pick
 
-__all__ = ["MAXIMUM_AREA_FRACTION", "compressibility", "compressibility_slope", "finite_compressibility"]
+__all__ = [
+    "MAXIMUM_AREA_FRACTION",
+    "compressibility",
+    "compressibility_slope",
+    "excess_free_energy",
+    "finite_compressibility",
+]
 
 MAXIMUM_AREA_FRACTION: Final = 0.88 * math.pi / 4.0
 """Up to this area fraction (0.691) the fit stands on data; the fluid itself ends at about 0.700."""
@@ -45,6 +51,9 @@ _SLOPE: Final = _LOGARITHMIC * _SERIES.deriv()
 _STIFFNESS: Final = _SERIES + _SLOPE
 """d(P/T)/dn = Z + eta dZ/d eta, the inverse of the structure factor at zero wave number."""
 _STIFFNESS_SLOPE: Final = _LOGARITHMIC * _STIFFNESS.deriv()
+_QUOTIENT, _REST = divmod(Polynomial(_SERIES.coef[1:]), Polynomial([1.0, 1.0]))
+"""(Z - 1)/x over 1 + x: a polynomial, and a number over 1 + x."""
+_INTEGRAL: Final = _QUOTIENT.integ()
 
 
 def compressibility(area_fraction: Real) -> Real:
@@ -58,6 +67,12 @@ def compressibility(area_fraction: Real) -> Real:
 def compressibility_slope(area_fraction: Real) -> Real:
     """The derivative eta dZ/d eta of the bulk fluid."""
     return _valid(area_fraction, _SLOPE(_argument(area_fraction)))
+
+
+def excess_free_energy(area_fraction: Real) -> Real:
+    """int_0^eta (Z - 1)/eta d eta: free energy per disc of the bulk fluid over T, less the ideal gas's."""
+    x = _argument(area_fraction)
+    return _valid(area_fraction, _INTEGRAL(x) + _REST.coef[0] * np.log1p(x))
 
 
 def finite_compressibility(area_fraction: Real, count: int) -> Real:

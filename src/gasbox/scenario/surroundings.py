@@ -1,0 +1,34 @@
+"""From the sections of a scenario to the geometry that engines and observers work with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from gasbox.geometry import Enclosure, Geometry, Rectangle, side_names
+from gasbox.scenario.container import Container
+from gasbox.scenario.obstacles import Obstacle
+from gasbox.scenario.walls import WallSettings
+
+__all__ = ["geometry_of"]
+
+
+def geometry_of(
+    container: Container,
+    walls: Mapping[str, WallSettings],
+    obstacles: Sequence[Obstacle],
+    gravity: tuple[float, float],
+    names: Sequence[str],
+) -> Geometry:
+    """The plain rectangle if there is nothing else to it, otherwise the whole enclosure; `names` of all species."""
+    shape = container.geometry()
+    if isinstance(shape, Rectangle) and not walls and not obstacles and gravity == (0.0, 0.0):
+        return shape
+    found = [
+        walls.get(side, WallSettings()).wall(walls[side].name or side if side in walls else side, names)
+        for side in side_names(shape)
+    ]
+    found += [
+        obstacle.wall(obstacle.name or f"obstacle-{number}", names, obstacle.present)
+        for number, obstacle in enumerate(obstacles, 1)
+    ]
+    return Enclosure(shape, tuple(obstacle.geometry() for obstacle in obstacles), tuple(found), gravity)

@@ -1,0 +1,73 @@
+"""What can be said of a wall, whatever its shape."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field
+
+from gasbox import geometry
+from gasbox.scenario.motions import Motion
+from gasbox.scenario.values import NotNegative, Positive, Section
+
+__all__ = ["Passes", "Surface", "WallSettings"]
+
+
+class Passes(Section):
+    """Who passes a wall: a membrane by species, a gate also by speed and direction."""
+
+    species: tuple[str, ...] | None = None
+    """Names of the species that pass; without it, all."""
+    direction: Literal["both", "forward", "backward"] = "both"
+    """Along the normal of the wall, against it, or both. That of a segment points to the right of the way from its
+    first end to its second."""
+    least_speed: NotNegative = 0.0
+    """Slower discs bounce [length/time]."""
+    greatest_speed: Positive | None = None
+    """Faster discs bounce [length/time]."""
+
+    def passage(self, names: Sequence[str]) -> geometry.Passage:
+        """As engines take it; `names` of all species."""
+        members = None if self.species is None else tuple(names.index(name) for name in self.species)
+        fastest = math.inf if self.greatest_speed is None else self.greatest_speed
+        return geometry.Passage(members, self.direction, self.least_speed, fastest)
+
+
+def _written_out(value: Any) -> Any:
+    """`"all"`, or a list of species, in full."""
+    if value == "all":
+        return {}
+    return {"species": value} if isinstance(value, list | tuple) else value
+
+
+class Surface(Section):
+    """Properties of a wall. Without any it is slippery: a disc that hits it bounces elastically."""
+
+    temperature: NotNegative | None = None
+    """Temperature of a thermal wall: discs leave it with the flux distribution of a gas of this temperature [energy]."""
+    open: bool = False
+    """Whether discs that reach it leave the gas for good."""
+    passes: Annotated[Passes | None, BeforeValidator(_written_out)] = None
+    """Who passes: "all" (a line that only counts), a list of names of species (a membrane), or an object (a gate)."""
+    motion: Annotated[Motion | None, Field()] = None
+    """How it moves; only sides of a rectangle and segments can."""
+
+    def wall(self, name: str, names: Sequence[str], present: bool = True) -> geometry.Wall:
+        """As engines take it; `names` of all species."""
+        return geometry.Wall(
+            name,
+            self.temperature,
+            self.open,
+            None if self.passes is None else self.passes.passage(names),
+            None if self.motion is None else self.motion.motion(),
+            present,
+        )
+
+
+class WallSettings(Surface):
+    """A side of the container."""
+
+    name: Annotated[str, Field(min_length=1, max_length=60)] | None = None
+    """Another name for it, as in charts and tables."""

@@ -1,0 +1,56 @@
+"""What acts on a running gas from outside: plain values, applied between two events, logged, and replayed to the bit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+__all__ = ["Change", "MoveWall", "SetGravity", "SetWall"]
+
+
+@dataclass(frozen=True)
+class SetGravity:
+    """A new acceleration of all discs.
+
+    Attributes
+    ----------
+    gravity : [length/time²]
+    """
+
+    gravity: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class SetWall:
+    """A wall is taken away or put back, or gets another temperature.
+
+    Attributes
+    ----------
+    wall : name
+    present : whether it is there; None leaves it as it is
+    temperature : of a thermal wall [energy]; None leaves it as it is
+    free : whether a piston that was moved goes free again; None leaves it as it is
+    """
+
+    wall: str
+    present: bool | None = None
+    temperature: float | None = None
+    free: bool | None = None
+
+
+@dataclass(frozen=True)
+class MoveWall:
+    """A wall moves on from where it is, at a constant speed, and then rests.
+
+    Attributes
+    ----------
+    wall : name
+    displacement : where it goes, along its normal from its place at the start [length]
+    speed : > 0 [length/time]
+    """
+
+    wall: str
+    displacement: float
+    speed: float
+
+
+Change = SetGravity | SetWall | MoveWall
