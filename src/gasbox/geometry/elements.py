@@ -13,8 +13,8 @@ from enum import IntEnum
 
 import numpy as np
 
-from gasbox.geometry.shapes import Block, Circle, Obstacle, Point, Polygon, Post, Segment
 from gasbox.geometry.rectangle import Rectangle
+from gasbox.geometry.shapes import Block, Circle, Obstacle, Point, Polygon, Post, Segment
 
 __all__ = ["Element", "ElementKind", "container_elements", "obstacle_elements", "side_count", "side_names"]
 

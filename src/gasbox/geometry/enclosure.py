@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.geometry import region
+from gasbox.geometry import anchors, region
 from gasbox.geometry.elements import Element, container_elements, obstacle_elements, side_count
 from gasbox.geometry.rectangle import Rectangle
 from gasbox.geometry.shapes import Circle, Obstacle, Point, Polygon, Segment
@@ -113,7 +113,7 @@ class Enclosure:
         obstacle = self.obstacles[number]
         if not isinstance(obstacle, Segment):
             return (True, True)
-        return region.anchored(self, number)
+        return anchors.anchored(self, number)
 
     def normal(self, wall: int) -> Point:
         """Direction of the displacements of a wall that can move: a side of a rectangle, or a segment."""
