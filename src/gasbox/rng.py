@@ -19,6 +19,8 @@ class Stream(IntEnum):
     """Where discs are placed at the start."""
     VELOCITIES = 2
     """The velocities drawn at the start."""
+    THERMAL_WALLS = 3
+    """Velocities with which discs leave a thermal wall; drawn in `gasbox.kernels.hall.rebound`."""
 
 
 def generator(seed: int, stream: Stream, index: int = 0) -> np.random.Generator:

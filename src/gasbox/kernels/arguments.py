@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
 from gasbox.jit import inlined_kernel
 from gasbox.state import Contacts, State, Tallies
 
@@ -18,6 +18,8 @@ __all__ = [
     "Box",
     "Gas",
     "Ledger",
+    "book_crossing",
+    "book_hall",
     "book_pair",
     "book_wall",
     "box",
@@ -31,6 +33,7 @@ NO_PROGRESS = 2
 
 _PAIR = 0
 _WALL = 1
+_CROSSING = 2
 
 
 class Gas(NamedTuple):
@@ -60,6 +63,11 @@ class Ledger(NamedTuple):
     pair_collisions: NDArray[np.int64]
     wall_impulse: NDArray[np.float64]
     wall_collisions: NDArray[np.int64]
+    wall_work: NDArray[np.float64]
+    wall_heat: NDArray[np.float64]
+    wall_passed: NDArray[np.int64]
+    wall_carried: NDArray[np.float64]
+    rest_energy: NDArray[np.float64]
     rows: NDArray[np.int64]
     kind: NDArray[np.uint8]
     time: NDArray[np.float64]
@@ -74,8 +82,8 @@ def gas(state: State) -> Gas:
     return Gas(state.id, state.species, state.mass, state.radius, state.position, state.velocity)
 
 
-def box(geometry: Rectangle) -> Box:
-    """The rectangle as a kernel takes it."""
+def box(geometry: Geometry) -> Box:
+    """The rectangle, or the box around an enclosure, as a kernel takes it."""
     return Box(
         float(geometry.width), float(geometry.height), bool(geometry.periodic_x), bool(geometry.periodic_y)
     )
@@ -88,6 +96,11 @@ def ledger(tallies: Tallies, contacts: Contacts, rows: NDArray[np.int64], state:
         tallies.pair_collisions,
         tallies.wall_impulse,
         tallies.wall_collisions,
+        tallies.wall_work,
+        tallies.wall_heat,
+        tallies.wall_passed,
+        tallies.wall_carried,
+        tallies.rest_energy,
         rows,
         contacts.kind,
         contacts.time,
@@ -142,3 +155,54 @@ def book_wall(book: Ledger, species: int, row: int, wall: int, time: float, jx: 
     book.wall_collisions[wall, species] += 1
     if book.kind.shape[0] > 0:
         _write(book, _WALL, time, book.id[row], wall, jx, jy)
+
+
+@inlined_kernel
+def book_hall(
+    book: Ledger,
+    species: int,
+    row: int,
+    wall: int,
+    time: float,
+    jx: float,
+    jy: float,
+    result: NDArray[np.float64],
+) -> None:
+    """Book a collision with a wall of an enclosure; (jx, jy) is the impulse given to the particle.
+
+    result : as `gasbox.kernels.hall.rebound.rebound` leaves it
+
+    Precondition: as for `book_pair`.
+    """
+    book.wall_impulse[wall, species] += result[2]
+    book.wall_collisions[wall, species] += 1
+    book.wall_work[wall, species] += result[3]
+    book.wall_heat[wall, species] += result[4]
+    book.rest_energy[0] += result[5]
+    if book.kind.shape[0] > 0:
+        _write(book, _WALL, time, book.id[row], wall, jx, jy)
+
+
+@inlined_kernel
+def book_crossing(
+    book: Ledger,
+    species: int,
+    row: int,
+    wall: int,
+    time: float,
+    px: float,
+    py: float,
+    along: bool,
+    carried: float,
+) -> None:
+    """Book a particle that passes a wall, along its normal or against it.
+
+    px, py : its momentum
+    carried : its kinetic energy if it leaves the gas, otherwise 0
+
+    Precondition: as for `book_pair`.
+    """
+    book.wall_passed[wall, species, 0 if along else 1] += 1
+    book.wall_carried[wall, species] += carried
+    if book.kind.shape[0] > 0:
+        _write(book, _CROSSING, time, book.id[row], wall, px, py)
