@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 
+from gasbox.errors import UsageError
+from gasbox.geometry import Enclosure, Geometry, Rectangle, Wall
 from gasbox.scenario import Scenario, parse
-from gasbox.state import State, Tallies
+from gasbox.state import Change, MoveWall, SetGravity, SetWall, State, Tallies
 
 
 class FakeClock:
@@ -31,7 +34,8 @@ class FreeFlight:
         self, scenario: Scenario, clock: FakeClock | None = None, cost: float = 0.0, overhead: float = 0.0
     ) -> None:
         self.scenario = scenario
-        self.geometry = scenario.container.geometry()
+        self.geometry = scenario.geometry()
+        self.changes: list[tuple[float, Change]] = []
         self.frame_interval = scenario.frame_interval or 1.0
         self.warnings = ()
         self.calls: list[float] = []
@@ -51,7 +55,10 @@ class FreeFlight:
             position=np.concatenate([places, random.random((len(drawn), 2)) * self.geometry.size]),
             velocity=np.concatenate([speeds, random.normal(size=(len(drawn), 2)) * 0.1]),
         )
-        self.dynamics = SimpleNamespace(tallies=Tallies.zero(len(counts), 4))
+        self.dynamics = SimpleNamespace(tallies=Tallies.zero(len(counts), len(self.geometry.wall_names)))
+        if self.geometry.moves:
+            self.state.wall_displacement = np.zeros(len(self.geometry.wall_names))
+            self.state.wall_velocity = np.zeros(len(self.geometry.wall_names))
 
     @property
     def time(self) -> float:
@@ -65,8 +72,33 @@ class FreeFlight:
         if self._clock is not None:
             self._clock.now += step * self._cost + self._overhead
 
+    def apply(self, change: Change) -> None:
+        """Gravity is shown but not felt; walls jump to where they are moved."""
+        self.geometry = changed(self.geometry, change)
+        if isinstance(change, MoveWall):
+            if not self.state.wall_displacement.size:
+                self.state.wall_displacement = np.zeros(len(self.geometry.wall_names))
+            self.state.wall_displacement[self.geometry.wall_names.index(change.wall)] = change.displacement
+        self.changes.append((self.time, change))
+
     def snapshot(self) -> Scenario:
         return self.scenario
+
+
+def changed(geometry: Geometry, change: Change) -> Geometry:
+    if isinstance(geometry, Rectangle):
+        geometry = Enclosure(geometry, walls=tuple(Wall(name) for name in geometry.wall_names))
+    match change:
+        case SetGravity(gravity=gravity):
+            return replace(geometry, gravity=gravity)
+        case SetWall(wall=name):
+            if name not in geometry.wall_names:
+                raise UsageError(f"there is no wall {name}")
+            said = {"present": change.present, "temperature": change.temperature}
+            wanted = {key: value for key, value in said.items() if value is not None}
+            return geometry.with_wall(geometry.wall_names.index(name), **wanted)
+        case MoveWall():
+            return geometry
 
 
 def _listed(scenario: Scenario, names: list[str]) -> tuple[Any, Any, Any]:

@@ -39,16 +39,19 @@ def wire_frames(draw: st.DrawFn) -> WireFrame:
         if row is None
         else Followed(draw(st.integers(0, 2**32 - 1)), int(species[row]), draw(pair), draw(pair)),
         row=row or 0,
+        temperature=draw(small),
+        displacement=draw(arrays.arrays(np.float32, st.integers(0, 6), elements=small)),
     )
 
 
 @given(wire_frames())
 def test_what_is_encoded_is_decoded(frame: WireFrame) -> None:
     back = decode_frame(encode_frame(frame))
-    for name in ("generation", "number", "time", "width", "height", "playing", "followed"):
+    for name in ("generation", "number", "time", "width", "height", "playing", "followed", "temperature"):
         assert getattr(back, name) == getattr(frame, name)
     np.testing.assert_array_equal(back.position, frame.position)
     np.testing.assert_array_equal(back.species, frame.species)
+    np.testing.assert_array_equal(back.displacement, frame.displacement)
     if frame.highlight is None:
         assert back.highlight is None
     else:
@@ -80,30 +83,38 @@ def test_the_bytes_are_those_of_the_description() -> None:
         highlight=np.array([True, False, True]),
         followed=Followed(21, 1, (3.0, 4.0), (0.5, -0.5)),
         row=1,
+        temperature=0.25,
+        displacement=np.array([0, -7, 0, 0], np.float32),
     )
     message = encode_frame(frame)
-    assert message[:4] == bytes([1, 7, 56, 0])
+    assert message[:4] == bytes([2, 7, 64, 0])
     assert struct.unpack_from("<III", message, 4) == (7, 11, 3)
     assert struct.unpack_from("<d", message, 16) == (2.5,)
     assert struct.unpack_from("<ff", message, 24) == (60.0, 40.0)
     assert struct.unpack_from("<IIffff", message, 32) == (1, 21, 3.0, 4.0, 0.5, -0.5)
-    assert struct.unpack_from("<6f", message, 56) == (1, 2, 3, 4, 5, 6)
-    assert message[80:] == bytes([0, 1, 2, 0b101])
+    assert struct.unpack_from("<fI", message, 56) == (0.25, 4)
+    assert struct.unpack_from("<4f", message, 64) == (0, -7, 0, 0)
+    assert struct.unpack_from("<6f", message, 80) == (1, 2, 3, 4, 5, 6)
+    assert message[104:] == bytes([0, 1, 2, 0b101])
 
 
 def test_a_disc_takes_nine_bytes() -> None:
     many = WireFrame(0, 0, 0.0, 1.0, 1.0, True, np.zeros((1000, 2), np.float32), np.zeros(1000, np.uint8))
-    assert len(encode_frame(many)) == 56 + 9 * 1000
+    assert len(encode_frame(many)) == 64 + 9 * 1000
 
 
 def test_the_table_says_what_does_not_change() -> None:
     message = json.loads(
         table(3, Rectangle(60.0, 40.0, True, False), ["a", "b"], [1.0, 2.5], ["#f00", "#0f0"])
     )
+    plain = {"line": "solid", "temperature": None, "motion": None, "present": True}
     assert message == {
         "kind": "table",
         "generation": 3,
         "container": {"shape": "rectangle", "width": 60.0, "height": 40.0, "periodic": [True, False]},
+        "walls": [{"name": name, **plain} for name in ("left", "right", "bottom", "top")],
+        "obstacles": [],
+        "gravity": [0.0, 0.0],
         "species": [
             {"name": "a", "radius": 1.0, "color": "#f00"},
             {"name": "b", "radius": 2.5, "color": "#0f0"},

@@ -12,7 +12,7 @@ from playwright.sync_api import Browser, Page
 
 from gasbox.app.protocol import WireFrame, encode_frame, table
 from gasbox.app.sample import Followed
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Enclosure, Polygon, Post, Rectangle, Segment, Wall
 
 pytestmark = pytest.mark.browser
 
@@ -20,7 +20,7 @@ DECODE = """async (text) => {
   const { decodeFrame } = await import("/core/protocol.js");
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const frame = decodeFrame(bytes.buffer);
-  for (const key of ["position", "species", "highlight"]) frame[key] &&= Array.from(frame[key]);
+  for (const key of ["position", "species", "highlight", "displacement"]) frame[key] &&= Array.from(frame[key]);
   return frame;
 }"""
 
@@ -57,6 +57,8 @@ def test_frames_of_any_length(page: Page, count: int) -> None:
         highlight=random.random(count) < 0.5,
         followed=Followed(3_000_000_000, 0, (1.5, 2.5), (-0.5, 0.25)),
         row=0,
+        temperature=0.75,
+        displacement=np.array([0.5, -2.0], np.float32),
     )
     seen = decoded(page, encode_frame(frame))
     assert seen == {
@@ -67,6 +69,8 @@ def test_frames_of_any_length(page: Page, count: int) -> None:
         "width": 60.5,
         "height": 40.25,
         "playing": True,
+        "temperature": 0.75,
+        "displacement": [0.5, -2.0],
         "position": frame.position.ravel().tolist(),
         "species": frame.species.tolist(),
         "highlight": np.packbits(frame.highlight, bitorder="little").tolist(),  # type: ignore[arg-type]
@@ -80,7 +84,7 @@ def test_nothing_optional(page: Page) -> None:
     assert (seen["playing"], seen["highlight"], seen["followed"]) == (False, None, None)
 
 
-@pytest.mark.parametrize("message", [b"", b"\x02" + bytes(55), bytes(100)])
+@pytest.mark.parametrize("message", [b"", b"\x02" + bytes(55), b"\x01" + bytes(99), bytes(100)])
 def test_what_is_no_frame_is_refused(page: Page, message: bytes) -> None:
     with pytest.raises(Exception, match="not a frame"):
         decoded(page, message)
@@ -92,23 +96,43 @@ def test_a_frame_cut_short_is_refused(page: Page) -> None:
         decoded(page, encode_frame(bare)[:-1])
 
 
+DECODE_TABLE = """async (text) => {
+  const { decodeTable } = await import("/core/protocol.js");
+  const table = decodeTable(JSON.parse(text));
+  return { ...table, radii: Array.from(table.radii) };
+}"""
+
+
 def test_the_table(page: Page) -> None:
     text = table(7, Rectangle(60.0, 40.0, True, False), ["a", "b"], [1.0, 2.5], ["#ff0000", "#00ff00"])
-    seen = page.evaluate(
-        """async (text) => {
-          const { decodeTable } = await import("/core/protocol.js");
-          const table = decodeTable(JSON.parse(text));
-          return { ...table, radii: Array.from(table.radii) };
-        }""",
-        text,
-    )
-    assert seen == {
+    seen = page.evaluate(DECODE_TABLE, text)
+    wanted = {
         "generation": 7,
+        "shape": "rectangle",
         "width": 60,
         "height": 40,
         "periodicX": True,
         "periodicY": False,
+        "obstacles": [],
+        "gravity": [0, 0],
+        "moves": False,
         "names": ["a", "b"],
         "colors": ["#ff0000", "#00ff00"],
         "radii": [1, 2.5],
     }
+    assert {key: seen[key] for key in wanted} == wanted
+    assert [side["out"] for side in seen["sides"]] == [[-1, 0], [1, 0], [0, -1], [0, 1]]
+
+
+def test_the_table_of_other_surroundings(page: Page) -> None:
+    triangle = Polygon(((0.0, 0.0), (8.0, 0.0), (0.0, 6.0)))
+    walls = (Wall("floor", temperature=2.0), Wall("slope", open=True), Wall("left"), Wall("door"), Wall("post"))
+    geometry = Enclosure(triangle, (Segment((1, 1), (1, 3)), Post((2, 2), 0.5)), walls, (0.0, -0.25))
+    seen = page.evaluate(DECODE_TABLE, table(8, geometry, ["a"], [1.0], ["#ff0000"]))
+    assert (seen["shape"], seen["width"], seen["height"], seen["gravity"]) == ("polygon", 8, 6, [0, -0.25])
+    assert [side["wall"]["name"] for side in seen["sides"]] == ["floor", "slope", "left"]
+    assert seen["sides"][1]["out"] == pytest.approx([0.6, 0.8])
+    assert [side["wall"]["line"] for side in seen["sides"]] == ["solid", "dashed", "solid"]
+    assert seen["sides"][0]["wall"]["temperature"] == 2
+    assert [line["wall"]["name"] for line in seen["lines"]] == ["door"]
+    assert [block["wall"]["name"] for block in seen["blocks"]] == ["post"]

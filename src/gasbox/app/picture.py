@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from gasbox.app import protocol
 from gasbox.app.sample import Bin, Followed
+from gasbox.geometry import Enclosure
+from gasbox.observe import temperature
 
 if TYPE_CHECKING:
     from gasbox.simulation import Simulation
@@ -17,7 +19,7 @@ __all__ = ["find", "frame", "lit", "table"]
 
 
 def table(simulation: Simulation, generation: int) -> str:
-    """The text message with the container and the species."""
+    """The text message with the surroundings and the species."""
     species = simulation.scenario.species
     return protocol.table(
         generation,
@@ -53,8 +55,18 @@ def frame(
             highlight=None if light is None else lit(simulation, light),
             followed=followed,
             row=row,
+            temperature=_warmth(simulation),
+            displacement=state.wall_displacement.astype(np.float32),
         )
     )
+
+
+def _warmth(simulation: Simulation) -> float:
+    """Temperature of the gas [energy], where a thermal wall is coloured by it; else, or if there is none, 0."""
+    geometry = simulation.geometry
+    if not isinstance(geometry, Enclosure) or all(wall.temperature is None for wall in geometry.walls):
+        return 0.0
+    return temperature(simulation.state, geometry) or 0.0
 
 
 def find(simulation: Simulation, particle_id: int | None) -> tuple[Followed | None, int]:

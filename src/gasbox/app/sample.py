@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
 from gasbox.scenario import Scenario
 from gasbox.state import State, Tallies
 
@@ -34,7 +34,7 @@ class Sample:
 
     version: int
     scenario: Scenario
-    geometry: Rectangle
+    geometry: Geometry
     time: float
     frame: int
     state: State

@@ -20,6 +20,7 @@ from gasbox.app.show import Show, Wishes
 from gasbox.app.worker import Worker
 from gasbox.errors import UsageError
 from gasbox.scenario import Scenario
+from gasbox.state import Change
 
 if TYPE_CHECKING:
     from gasbox.simulation import Simulation
@@ -223,6 +224,19 @@ class Session:
         """The followed disc as last shown."""
         return self._show.followed
 
+    def change(self, change: Change) -> Future[None]:
+        """Change gravity or a wall, between two beats; what cannot be done comes out of the future."""
+        return self._order(lambda: self._show.change(change))
+
+    def drag(self, wall: int, displacement: float) -> None:
+        """Let a wall follow a hand, with bounded speed; the newest place counts."""
+        self._wishes.hands = {**self._wishes.hands, wall: displacement}
+        self._order(self._show.follow_hands)
+
+    def drop(self, wall: int) -> None:
+        """The hand lets go of a wall."""
+        self._order(lambda: self._show.let_loose(wall))
+
     def id_of_row(self, row: Any) -> int | None:
         """The id of the disc in this row of the frame; None for anything else."""
         sample = self._show.sample
@@ -273,10 +287,7 @@ class Session:
         self._order(self._show.changed)
 
     def _begin(self, simulation: Simulation | None) -> None:
-        if simulation is not None:
-            self._show.install(simulation)
-        else:
-            self._show.attempt(self._make_first)
+        self._show.attempt(self._make_first if simulation is None else lambda: simulation)
 
     def _make_first(self) -> Simulation:
         self._prepare()

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from gasbox.app import picture, protocol
+from gasbox.app import picture, protocol, reins
 from gasbox.app.audience import Audience
 from gasbox.app.motion import Motion
 from gasbox.app.sample import Bin, Followed, Sample
 from gasbox.errors import GasboxError, UsageError
+from gasbox.geometry import Geometry
+from gasbox.state import Change
 
 if TYPE_CHECKING:
     from gasbox.simulation import Simulation
@@ -27,6 +30,8 @@ class Wishes:
     speed: float = 1.0
     light: Bin | None = None
     followed_id: int | None = None
+    hands: dict[int, float] = field(default_factory=dict)
+    """Where hands are that have just moved a wall: index of the wall -> displacement [length]."""
 
 
 class Show:
@@ -54,6 +59,7 @@ class Show:
         self._unwatched = unwatched
         self._motion: Motion | None = None
         self._generation = 0
+        self._geometry: Geometry | None = None
 
     @property
     def simulation(self) -> Simulation:
@@ -114,6 +120,40 @@ class Show:
                 self.fail(error)
         self.changed()
 
+    def change(self, change: Change) -> None:
+        """Change gravity or a wall, and show it.
+
+        Raises
+        ------
+        UsageError, DynamicsError
+            It cannot be done; nothing has changed.
+        """
+        self.simulation.apply(change)
+        self.publish()
+
+    def follow_hands(self) -> None:
+        """Move walls on to where hands have moved; all but the newest places were overtaken."""
+        hands, self._wishes.hands = self._wishes.hands, {}
+        if self._motion is None:
+            return
+        simulation = self._motion.simulation
+        for wall, place in hands.items():
+            self._try(
+                reins.guided(simulation.geometry, simulation.state, wall, place, simulation.frame_interval)
+            )
+
+    def let_loose(self, wall: int) -> None:
+        """A hand lets go of a wall."""
+        self.follow_hands()
+        if self._motion is not None:
+            self._try(reins.released(self._motion.simulation.geometry, wall))
+
+    def _try(self, change: Change | None) -> None:
+        """A change from a hand, which nobody waits for: if it cannot be done, it is not."""
+        if change is not None:
+            with contextlib.suppress(UsageError):
+                self.change(change)
+
     def changed(self) -> None:
         """A wish has changed: count time anew, and show it."""
         self.running = False
@@ -133,9 +173,13 @@ class Show:
             if self.trouble is not None:
                 self._audience.tell(protocol.notice("trouble", text=self.trouble))
             return
-        self._generation += 1
-        self._audience.tell(picture.table(self._motion.simulation, self._generation), stale=True)
+        self._lay_table(self._motion.simulation)
         self.publish()
+
+    def _lay_table(self, simulation: Simulation) -> None:
+        self._generation += 1
+        self._geometry = simulation.geometry
+        self._audience.tell(picture.table(simulation, self._generation), stale=True)
 
     def publish(self, *, sample: bool = True) -> None:
         """A frame for the browser, and a copy for the charts."""
@@ -143,6 +187,8 @@ class Show:
         if motion is None:
             return
         simulation = motion.simulation
+        if simulation.geometry is not self._geometry:  # by a change, or by the scenario's schedule
+            self._lay_table(simulation)
         self.followed, _ = picture.find(simulation, wishes.followed_id)
         if sample:
             self.sample_wanted = False

@@ -21,6 +21,8 @@ GONE, BUSY, REPLACED = 4404, 4503, 4409
 """Close codes: no such session (load the page again), no room (try again later), another socket took over."""
 _PARTING: Final = 0.5
 """Seconds for the socket of an earlier load of the same tab to close."""
+_SENSELESS: Final = (ValueError, TypeError, KeyError, OverflowError)
+"""What comes of a message that makes no sense; it ends the connection."""
 _LONGEST_MESSAGE: Final = 1000
 """Characters; what a browser has to say on this socket is short."""
 
@@ -85,7 +87,7 @@ async def _converse(socket: WebSocket, session: Session, greeting: str | None) -
         for task in tasks:
             task.cancel()
         for task in tasks:
-            with contextlib.suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError, ValueError):
+            with contextlib.suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError, *_SENSELESS):
                 await task
         if socket.application_state is WebSocketState.CONNECTED:
             with contextlib.suppress(RuntimeError, WebSocketDisconnect):
@@ -121,4 +123,8 @@ async def _listen(socket: WebSocket, session: Session, mailbox: Mailbox) -> None
             mailbox.ack(int(message["ack"]), int(message.get("drawn", 0)))
         if "hidden" in message:
             mailbox.hidden = bool(message["hidden"])
+        if "drag" in message:
+            session.drag(int(message["drag"]), float(message["to"]))
+        if "drop" in message:
+            session.drop(int(message["drop"]))
         session.wake()

@@ -1,5 +1,7 @@
 // The CPU renderer: anti-aliased discs rasterised into an ImageData. One canvas, so that the page has one layer to compose.
 import { pack } from "./color.js";
+import { Ground } from "./ground.js";
+import { extent } from "./outline.js";
 import { PHASES, makeSprites } from "./sprites.js";
 
 const STAMPED = 8; // device pixels; larger discs are filled row by row
@@ -11,6 +13,7 @@ export class CpuRenderer {
     this.context = canvas.getContext("2d", { alpha: false });
     this.overlay = this.context;
     this.stamps = new Map(); // radius in pixels -> sprites
+    this.ground = new Ground();
   }
 
   resize(width, height) {
@@ -35,23 +38,39 @@ export class CpuRenderer {
   }
 
   // In pixels: the part of the canvas that the box covers, [left, top, right, bottom).
-  box({ view, table }) {
+  box({ view, table, frame }) {
     const { width, height } = this.canvas;
+    const [left, bottom, right, top] = extent(table, frame);
     const within = (value, most) => Math.min(Math.max(Math.round(value), 0), most);
     return [
-      within(view.originX, width),
-      within(view.originY - table.height * view.scale, height),
-      within(view.originX + table.width * view.scale, width),
-      within(view.originY, height),
+      within(view.originX + left * view.scale, width),
+      within(view.originY - top * view.scale, height),
+      within(view.originX + right * view.scale, width),
+      within(view.originY - bottom * view.scale, height),
     ];
   }
 
   clear(scene) {
     const { width, height } = this.canvas;
+    if (this.ground.update(scene, width, height)) {
+      this.pixels.set(this.grounded());
+      return;
+    }
     const [left, top, right, bottom] = this.box(scene);
     const inside = pack(scene.theme.box);
     if (left > 0 || top > 0 || right < width || bottom < height) this.pixels.fill(pack(scene.theme.outside));
     for (let y = top; y < bottom; y++) this.pixels.fill(inside, y * width + left, y * width + right);
+  }
+
+  // The ground as pixels, read once for each picture.
+  grounded() {
+    const { ground } = this;
+    if (this.groundVersion !== ground.version) {
+      const { width, height } = ground.canvas;
+      this.groundPixels = new Uint32Array(ground.context.getImageData(0, 0, width, height).data.buffer);
+      this.groundVersion = ground.version;
+    }
+    return this.groundPixels;
   }
 
   discs(scene) {

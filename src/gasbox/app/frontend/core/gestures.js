@@ -1,12 +1,14 @@
-// Wheel and pinch zoom, drag to move, double click or "0" to see all again, click to pick a disc.
+// Wheel and pinch zoom, drag to move (a wall by its handle, else the view), double click or "0" to see all again, click to
+// pick a disc.
 
 const CLICK = 5; // CSS pixels that a finger may slip and still click
 
 export class Gestures {
-  // onView() after a change of the view; onPick(px, py) in device pixels.
-  constructor(element, view, { onView, onPick }) {
+  // onView() after a change of the view; onPick(px, py) in device pixels; handles: of walls, see handles.js.
+  constructor(element, view, handles, { onView, onPick }) {
     this.element = element;
     this.view = view;
+    this.handles = handles;
     this.onView = onView;
     this.onPick = onPick;
     this.pointers = new Map();
@@ -19,6 +21,7 @@ export class Gestures {
     on("pointerup", this.up);
     on("pointercancel", this.cancel);
     on("dblclick", this.reset);
+    on("touchstart", this.touch, { passive: false });
     window.addEventListener("keydown", (event) => this.key(event), { signal: this.ender.signal });
   }
 
@@ -35,16 +38,34 @@ export class Gestures {
     this.changed();
   }
 
+  // A finger on a wall moves it, and does not scroll the page.
+  touch(event) {
+    if (event.touches.length === 1 && this.handles.find(...this.place(event.touches[0]), true)) event.preventDefault();
+  }
+
   down(event) {
     if (event.button !== 0) return;
     this.element.setPointerCapture(event.pointerId);
+    if (!this.pointers.size && this.handles.grab(...this.place(event), event.pointerType === "touch")) {
+      this.holder = event.pointerId;
+      this.onView();
+      return;
+    }
     this.pointers.set(event.pointerId, this.place(event));
     this.slipped = this.pointers.size > 1 ? Infinity : 0;
   }
 
   move(event) {
+    if (event.pointerId === this.holder) {
+      this.handles.drag(...this.place(event));
+      this.onView();
+      return;
+    }
     const before = this.pointers.get(event.pointerId);
-    if (!before) return;
+    if (!before) {
+      if (event.pointerType === "mouse") this.element.style.cursor = this.handles.cursor(...this.place(event));
+      return;
+    }
     const now = this.place(event);
     this.slipped += Math.abs(now[0] - before[0]) + Math.abs(now[1] - before[1]);
     if (this.pointers.size === 2) this.pinch(event.pointerId, before, now);
@@ -64,12 +85,22 @@ export class Gestures {
   }
 
   up(event) {
+    if (this.letGo(event)) return;
     if (!this.pointers.delete(event.pointerId)) return;
     if (this.slipped <= CLICK * this.view.ratio) this.onPick(...this.place(event));
   }
 
   cancel(event) {
+    if (this.letGo(event)) return;
     this.pointers.delete(event.pointerId);
+  }
+
+  letGo(event) {
+    if (event.pointerId !== this.holder) return false;
+    this.holder = undefined;
+    this.handles.release();
+    this.onView();
+    return true;
   }
 
   key(event) {

@@ -2,10 +2,12 @@
 import { mix, parse } from "./color.js";
 import { CpuRenderer } from "./cpu.js";
 import { Gestures, pick } from "./gestures.js";
+import { Handles } from "./handles.js";
 import { Message } from "./message.js";
+import { grown, reach } from "./outline.js";
 import { Trail, drawOverlay } from "./overlay.js";
 import { chooseRenderer } from "./probe.js";
-import { decodeFrame, decodeTable } from "./protocol.js";
+import { decodeFrame, decodeTable, encodeDrag, encodeDrop } from "./protocol.js";
 import { FrameSocket } from "./socket.js";
 import { Stats } from "./stats.js";
 import { installStyle, readTheme, watchTheme } from "./theme.js";
@@ -28,6 +30,11 @@ function snapped(estimate, exact) {
   return exact !== undefined && Math.abs(exact - estimate) <= 2 ? exact : Math.round(estimate);
 }
 
+// What two tables have in common if they are of the same gas, before and after a change.
+function kin({ shape, width, height, names, walls }) {
+  return JSON.stringify([shape, width, height, names, walls.map(({ name }) => name)]);
+}
+
 class Lab {
   constructor(element, { session, renderer, onPick, onNotice }) {
     installStyle();
@@ -45,7 +52,11 @@ class Lab {
     this.unwatch = watchTheme(() => this.restyle());
     this.sizer = new ResizeObserver((entries) => this.resized(entries[0]));
     this.observeSize();
-    this.gestures = new Gestures(element, this.view, {
+    this.handles = new Handles(() => this.table && this.scene(), {
+      send: (wall, displacement) => this.socket.send(encodeDrag(wall, displacement)),
+      drop: (wall) => this.socket.send(encodeDrop(wall)),
+    });
+    this.gestures = new Gestures(element, this.view, this.handles, {
       onView: () => this.schedule(),
       onPick: (px, py) => this.picked(px, py),
     });
@@ -105,16 +116,27 @@ class Lab {
 
   hear(message) {
     if (message.kind === "table") {
-      this.table = decodeTable(message);
-      this.frame = null;
-      this.view.setBox(this.table.width, this.table.height);
-      this.mixColors();
+      this.settle(decodeTable(message));
       this.stats.connected = true;
     } else if (message.kind === "lost") {
       this.stats.connected = false;
     }
     this.message.show(message);
     this.onNotice?.(message.kind === "table" ? { kind: "connected" } : message);
+  }
+
+  // Another gas is seen whole; after a change to the same one, what was seen stays in sight.
+  settle(table) {
+    const same = this.table && kin(this.table) === kin(table);
+    const room = reach(table);
+    this.table = table;
+    if (!same) this.frame = null;
+    this.show(same ? room.map((end, k) => (k < 2 ? Math.min : Math.max)(end, this.view.room[k])) : room);
+    this.mixColors();
+  }
+
+  show(room) {
+    this.view.setRoom(room, this.table.sides.some(({ wall }) => wall.motion !== null));
   }
 
   schedule() {
@@ -150,6 +172,8 @@ class Lab {
     if (frame.generation !== this.table.generation) return false;
     this.frame = frame;
     this.trail.add(frame);
+    const room = grown(this.view.room, this.table, frame);
+    if (room !== this.view.room) this.show(room);
     return true;
   }
 
@@ -159,10 +183,14 @@ class Lab {
       this.renderer.blank(this.theme.outside);
       return;
     }
-    const { frame, table, view, theme, palette, trail } = this;
-    const scene = { frame, table, view, theme, palette, trail };
+    const scene = this.scene();
     this.renderer.draw(scene);
     drawOverlay(this.renderer.overlay, scene);
+  }
+
+  scene() {
+    const { frame, table, view, theme, palette, trail } = this;
+    return { frame, table, view, theme, palette, trail, grabbed: this.handles.seen(frame) };
   }
 
   picked(px, py) {

@@ -1,35 +1,13 @@
-// Lines over the discs: the boundary (solid where there is a wall, dashed where the box is periodic), ring and trail.
+// Lines over the discs: walls, ring and trail.
+import { drawWalls } from "./walls.js";
 
 export function drawOverlay(context, scene) {
   if (!context || !scene.table) return;
   context.save();
-  boundary(context, scene);
+  drawWalls(context, scene);
   trail(context, scene);
   ring(context, scene);
   context.restore();
-}
-
-function boundary(context, { table, view, theme }) {
-  const line = Math.max(1, Math.round(1.5 * view.ratio));
-  const left = Math.round(view.originX) - line / 2; // outside, so that touching discs are whole
-  const right = Math.round(view.originX + table.width * view.scale) + line / 2;
-  const top = Math.round(view.originY - table.height * view.scale) - line / 2;
-  const bottom = Math.round(view.originY) + line / 2;
-  context.strokeStyle = theme.wall;
-  context.lineWidth = line;
-  context.lineCap = "square";
-  const side = (x0, y0, x1, y1, periodic) => {
-    context.setLineDash(periodic ? [4 * line, 4 * line] : []);
-    context.beginPath();
-    context.moveTo(x0, y0);
-    context.lineTo(x1, y1);
-    context.stroke();
-  };
-  side(left, top, left, bottom, table.periodicX);
-  side(right, top, right, bottom, table.periodicX);
-  side(left, top, right, top, table.periodicY);
-  side(left, bottom, right, bottom, table.periodicY);
-  context.setLineDash([]);
 }
 
 function trail(context, { trail, view, theme, table }) {

@@ -1,10 +1,11 @@
 // The wire format, twin of app/protocol.py, where it is described.
+import { readOutline } from "./outline.js";
 
-export const VERSION = 1;
+export const VERSION = 2;
 const HIGHLIGHT = 1;
 const FOLLOWED = 2;
 const PLAYING = 4;
-const HEADER = 56;
+const HEADER = 64;
 
 // A frame from an ArrayBuffer. The arrays are views into it. Throws if it is no frame of this version.
 export function decodeFrame(buffer) {
@@ -13,8 +14,10 @@ export function decodeFrame(buffer) {
     throw new Error(`not a frame of version ${VERSION}`);
   }
   const flags = head.getUint8(1);
-  const start = head.getUint16(2, true);
+  const header = head.getUint16(2, true);
   const count = head.getUint32(12, true);
+  const walls = head.getUint32(60, true);
+  const start = header + 4 * walls;
   const bits = flags & HIGHLIGHT ? (count + 7) >> 3 : 0;
   if (buffer.byteLength !== start + 9 * count + bits) {
     throw new Error(`a frame of ${count} discs has ${start + 9 * count + bits} bytes, not ${buffer.byteLength}`);
@@ -26,7 +29,9 @@ export function decodeFrame(buffer) {
     time: head.getFloat64(16, true),
     width: head.getFloat32(24, true),
     height: head.getFloat32(28, true),
+    temperature: head.getFloat32(56, true),
     playing: (flags & PLAYING) !== 0,
+    displacement: new Float32Array(buffer, header, walls),
     position: new Float32Array(buffer, start, 2 * count),
     species: new Uint8Array(buffer, start + 8 * count, count),
     highlight: flags & HIGHLIGHT ? new Uint8Array(buffer, start + 9 * count, bits) : null,
@@ -45,14 +50,11 @@ function followed(head) {
   };
 }
 
-// The table message in the form that drawing needs: typed arrays, one entry per species.
+// The table message in the form that drawing needs: typed arrays, one entry per species, and the lines of the walls.
 export function decodeTable(message) {
   return {
     generation: message.generation,
-    width: message.container.width,
-    height: message.container.height,
-    periodicX: message.container.periodic[0],
-    periodicY: message.container.periodic[1],
+    ...readOutline(message),
     names: message.species.map((one) => one.name),
     colors: message.species.map((one) => one.color),
     radii: Float64Array.from(message.species, (one) => one.radius),
@@ -65,4 +67,12 @@ export function encodeAck(received, drawn) {
 
 export function encodeHidden(hidden) {
   return JSON.stringify({ hidden });
+}
+
+export function encodeDrag(wall, displacement) {
+  return JSON.stringify({ drag: wall, to: displacement });
+}
+
+export function encodeDrop(wall) {
+  return JSON.stringify({ drop: wall });
 }

@@ -1,10 +1,10 @@
 // Colours of the box, from CSS variables, so that a page or a style sheet can set them:
-// --gasbox-box (inside), --gasbox-outside, --gasbox-wall, --gasbox-ring (followed disc).
+// --gasbox-box (inside), --gasbox-outside, --gasbox-wall, --gasbox-obstacle (edges), --gasbox-ring (followed disc).
 // Light or dark follows the system, unless data-theme="light|dark" on <html> or NiceGUI's body--dark says otherwise.
-import { parse } from "./color.js";
+import { mix, parse } from "./color.js";
 
-const LIGHT = "--gasbox-box:#ffffff;--gasbox-outside:#f2f4f7;--gasbox-wall:#3d4756;--gasbox-ring:#111827;";
-const DARK = "--gasbox-box:#12161d;--gasbox-outside:#0b0e13;--gasbox-wall:#a9b4c4;--gasbox-ring:#ffffff;";
+const LIGHT = "--gasbox-box:#ffffff;--gasbox-outside:#f2f4f7;--gasbox-wall:#3d4756;--gasbox-obstacle:#3d4756;--gasbox-ring:#111827;";
+const DARK = "--gasbox-box:#12161d;--gasbox-outside:#0b0e13;--gasbox-wall:#a9b4c4;--gasbox-obstacle:#a9b4c4;--gasbox-ring:#ffffff;";
 const STYLE = `
 :where(:root){${LIGHT}}
 @media (prefers-color-scheme: dark){:where(:root:not([data-theme="light"])){${DARK}}}
@@ -29,10 +29,13 @@ export function installStyle() {
 export function readTheme(element) {
   const style = getComputedStyle(element);
   const read = (name) => style.getPropertyValue(`--gasbox-${name}`).trim();
+  const box = parse(read("box"), [255, 255, 255]);
   return {
-    box: parse(read("box"), [255, 255, 255]),
+    box,
+    stone: mix(box, parse(read("obstacle"), [61, 71, 86]), 0.22), // the inside of obstacles
     outside: parse(read("outside"), [242, 244, 247]),
     wall: read("wall") || "#3d4756",
+    obstacle: read("obstacle") || "#3d4756",
     ring: read("ring") || "#111827",
   };
 }

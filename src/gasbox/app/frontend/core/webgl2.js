@@ -1,5 +1,10 @@
 // The WebGL2 renderer for graphics hardware: one quad per disc, drawn by instancing, with a second canvas for lines.
 
+import { Ground } from "./ground.js";
+import { Layer } from "./layer.js";
+import { link, texture } from "./gl.js";
+import { extent } from "./outline.js";
+
 const VERTEX = `#version 300 es
 precision highp float;
 layout(location = 0) in vec2 position;
@@ -57,6 +62,7 @@ export class GlRenderer {
     this.gl = canvas.getContext("webgl2", { alpha: false, antialias: false, preserveDrawingBuffer: false });
     if (!this.gl) throw new Error("WebGL2 is not available");
     this.capacity = 0;
+    this.ground = new Ground();
     this.setUp();
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     canvas.addEventListener("webglcontextrestored", () => {
@@ -67,7 +73,8 @@ export class GlRenderer {
 
   setUp() {
     const { gl } = this;
-    this.program = link(gl);
+    this.program = link(gl, VERTEX, FRAGMENT);
+    this.layer = new Layer(gl);
     gl.useProgram(this.program);
     this.at = (name) => gl.getUniformLocation(this.program, name);
     gl.uniform1i(this.at("radii"), 0);
@@ -93,12 +100,18 @@ export class GlRenderer {
     gl.viewport(0, 0, width, height);
     gl.disable(gl.SCISSOR_TEST);
     clear(gl, scene.theme.outside);
-    gl.enable(gl.SCISSOR_TEST);
     const [left, bottom, boxWidth, boxHeight] = this.box(scene);
-    gl.scissor(left, bottom, boxWidth, boxHeight);
-    clear(gl, scene.theme.box);
+    if (this.ground.update(scene, width, height)) {
+      this.layer.draw(this.ground);
+      gl.useProgram(this.program);
+    } else {
+      gl.enable(gl.SCISSOR_TEST);
+      gl.scissor(left, bottom, boxWidth, boxHeight);
+      clear(gl, scene.theme.box);
+    }
     if (!scene.frame || scene.frame.count === 0) return;
     const { periodicX, periodicY } = scene.table;
+    gl.enable(gl.SCISSOR_TEST);
     gl.scissor(
       periodicX ? left : 0,
       periodicY ? bottom : 0,
@@ -116,13 +129,14 @@ export class GlRenderer {
   }
 
   // In pixels from the lower left corner: left, bottom, width, height of the box on the canvas.
-  box({ view, table }) {
+  box({ view, table, frame }) {
     const { width, height } = this.canvas;
+    const [x0, y0, x1, y1] = extent(table, frame);
     const within = (value, most) => Math.min(Math.max(Math.round(value), 0), most);
-    const left = within(view.originX, width);
-    const right = within(view.originX + table.width * view.scale, width);
-    const top = within(view.originY - table.height * view.scale, height);
-    const bottom = within(view.originY, height);
+    const left = within(view.originX + x0 * view.scale, width);
+    const right = within(view.originX + x1 * view.scale, width);
+    const top = within(view.originY - y1 * view.scale, height);
+    const bottom = within(view.originY - y0 * view.scale, height);
     return [left, height - bottom, right - left, bottom - top];
   }
 
@@ -194,26 +208,4 @@ function attribute(gl, index, buffer, size, type) {
   if (type === gl.FLOAT) gl.vertexAttribPointer(index, size, type, false, 0, 0);
   else gl.vertexAttribIPointer(index, size, type, 0, 0);
   gl.vertexAttribDivisor(index, 1);
-}
-
-function texture(gl, unit) {
-  const made = gl.createTexture();
-  gl.activeTexture(unit);
-  gl.bindTexture(gl.TEXTURE_2D, made);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-  return made;
-}
-
-function link(gl) {
-  const program = gl.createProgram();
-  for (const [type, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
-    const shader = gl.createShader(type);
-    gl.shaderSource(shader, source);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) || "shader");
-  return program;
 }

@@ -1,0 +1,108 @@
+"""What a browser needs to draw the surroundings of the gas: container, walls, obstacles, gravity, as JSON values.
+
+The drawing side is ``frontend/core/outline.js``; what each key means stands in `gasbox.app.protocol`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from gasbox.geometry import (
+    Block,
+    Circle,
+    Enclosure,
+    Geometry,
+    Motion,
+    Obstacle,
+    Path,
+    Piston,
+    Polygon,
+    Post,
+    Rectangle,
+    Segment,
+    Sinusoid,
+    Wall,
+    side_count,
+)
+
+__all__ = ["outline"]
+
+_PLAIN: dict[str, Any] = {"line": "solid", "temperature": None, "motion": None, "present": True}
+
+
+def outline(geometry: Geometry) -> dict[str, Any]:
+    """The parts ``container``, ``walls``, ``obstacles`` and ``gravity`` of a table message."""
+    enclosure = geometry if isinstance(geometry, Enclosure) else None
+    return {
+        "container": _container(geometry),
+        "walls": [{"name": name, **_PLAIN} for name in geometry.wall_names]
+        if enclosure is None
+        else [_wall(wall, enclosure.normal(number)) for number, wall in enumerate(enclosure.walls)],
+        "obstacles": [] if enclosure is None else _obstacles(enclosure),
+        "gravity": list(geometry.gravity),
+    }
+
+
+def _container(geometry: Geometry) -> dict[str, Any]:
+    box = {
+        "width": geometry.width,
+        "height": geometry.height,
+        "periodic": [bool(geometry.periodic_x), bool(geometry.periodic_y)],
+    }
+    match geometry.container if isinstance(geometry, Enclosure) else geometry:
+        case Circle(radius=radius):
+            return {"shape": "circle", **box, "radius": radius}
+        case Polygon(vertices=vertices):
+            return {"shape": "polygon", **box, "vertices": [list(vertex) for vertex in vertices]}
+        case Rectangle():
+            return {"shape": "rectangle", **box}
+
+
+def _wall(wall: Wall, normal: tuple[float, float]) -> dict[str, Any]:
+    line = "dashed" if wall.open else "solid" if wall.passes is None else "dotted"
+    shown: dict[str, Any] = {
+        "name": wall.name,
+        "line": line,
+        "temperature": wall.temperature,
+        "motion": None,
+        "present": wall.present,
+    }
+    if wall.passes is not None and wall.passes.direction != "both":
+        shown["way"] = wall.passes.direction
+    if wall.motion is not None:
+        shown["motion"] = "piston" if isinstance(wall.motion, Piston) else "driven"
+        shown["normal"] = list(normal)
+        shown["reach"] = list(_reach(wall.motion))
+    return shown
+
+
+def _reach(motion: Motion) -> tuple[float, float]:
+    """Least and greatest displacement that can be told beforehand [length]; always with 0 between them."""
+    match motion:
+        case Sinusoid(amplitude=amplitude, phase=phase):
+            middle = -amplitude * math.sin(phase)
+            ends = [middle - abs(amplitude), middle + abs(amplitude)]
+        case Piston(lower=lower, upper=upper):
+            ends = [lower, upper]
+        case Path(displacements=displacements):
+            ends = list(displacements)
+    known = [0.0, *(end for end in ends if math.isfinite(end))]
+    return min(known), max(known)
+
+
+def _obstacles(enclosure: Enclosure) -> list[dict[str, Any]]:
+    first = side_count(enclosure.container)
+    return [
+        {"wall": number, **_obstacle(obstacle)} for number, obstacle in enumerate(enclosure.obstacles, first)
+    ]
+
+
+def _obstacle(obstacle: Obstacle) -> dict[str, Any]:
+    match obstacle:
+        case Segment(start=start, end=end):
+            return {"shape": "segment", "start": list(start), "end": list(end)}
+        case Block(vertices=vertices):
+            return {"shape": "polygon", "vertices": [list(vertex) for vertex in vertices]}
+        case Post(center=center, radius=radius):
+            return {"shape": "disc", "center": list(center), "radius": radius}
