@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from gasbox.geometry import Enclosure, Wall, side_names
 from gasbox.state import State
 
 
@@ -22,3 +23,18 @@ def gas(velocity, mass=None, species=None, position=None, radius=None, time=0.0)
         position=np.array(position, dtype=np.float64) if position is not None else np.ones((count, 2)),
         velocity=velocity,
     )
+
+
+def hall(container, *obstacles, gravity=(0.0, 0.0), names=None, **settings):
+    """An enclosure with smooth walls, those of `names` first; settings give walls other properties, by name."""
+    sides = side_names(container)
+    names = [*sides, *(names or [f"obstacle_{k + 1}" for k in range(len(obstacles))])]
+    walls = tuple(Wall(name, **settings.get(name, {})) for name in names)
+    return Enclosure(container, obstacles, walls, gravity)
+
+
+def moved(state, *displacement, velocity=None):
+    """The same state with its walls displaced."""
+    state.wall_displacement = np.array(displacement, dtype=np.float64)
+    state.wall_velocity = np.zeros(len(displacement)) if velocity is None else np.array(velocity, float)
+    return state

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from hand_made import gas
+from hand_made import gas, hall, moved
 
 from gasbox import observe
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Path, Rectangle
 from gasbox.protocols import Observer
 from gasbox.state import ContactKind, Contacts, Tallies
 
@@ -48,6 +48,27 @@ def test_pressure_over_a_window_of_frames():
     run_by_hand(observer)
     assert observer.series(window=2).wall_pressure[1:].tolist() == [2.0, 3.0, 5.0]
     assert observer.series(window=99).wall_pressure[1:].tolist() == [2.0, 3.0, 4.0]
+
+
+def test_time_series_of_a_gas_that_loses_discs_behind_a_moving_wall():
+    box = hall(WALLS, gravity=(0.0, -2.0), right={"motion": Path((0.0,), (0.0,), (1.0,))})
+    observer = observe.TimeSeries(box, np.array([0.0]))
+    tallies = Tallies.zero(1, 4)
+    places = [0.0, 1.0, 4.0]
+    for frame, place in enumerate(places):
+        state = moved(gas(np.ones((3 - frame, 2)), time=float(frame)), 0, place, 0, 0)
+        if frame == 0:
+            observer.start(state, tallies)
+        observer.observe(state, tallies)
+        tallies.wall_impulse[0, 0] += 60.0
+    series = observer.series()
+    assert series.potential_energy.tolist() == [6.0, 4.0, 2.0]
+    # Around a box that is 10.5 and then 12.5 wide.
+    assert series.wall_pressure[1:].tolist() == pytest.approx([60 / 61, 60 / 65])
+    # (Two discs, then one, of T = 1.)
+    assert series.virial_pressure[1:].tolist() == pytest.approx([2 / 210, 1 / 250])
+    # Over both windows: 10.5 and 12.5 in the mean.
+    assert observer.series(window=2).wall_pressure[2] == pytest.approx(60 / 63)
 
 
 def test_what_does_not_exist_is_not_a_number():

@@ -4,6 +4,8 @@ Functions say None where a quantity does not exist (no particles, no walls, no t
 """
 
 from gasbox.observe.average import HistogramAverage
+from gasbox.observe.balance import Balance, EnergyBalance
+from gasbox.observe.blocks import block_error
 from gasbox.observe.collisions import (
     CollisionRates,
     collision_rates,
@@ -12,13 +14,18 @@ from gasbox.observe.collisions import (
 )
 from gasbox.observe.contact_log import ContactCounter, ContactLog
 from gasbox.observe.energy import (
+    angular_momentum,
     degrees_of_freedom,
+    internal_energy,
     kinetic_energy,
     momentum,
+    potential_energy,
     species_temperature,
     temperature,
     thermal_energy,
+    thermal_velocity,
 )
+from gasbox.observe.gauge import WallGauge, WallSeries
 from gasbox.observe.histograms import (
     Histogram,
     automatic_maximum,
@@ -27,6 +34,7 @@ from gasbox.observe.histograms import (
     histogram,
     speed_histogram,
 )
+from gasbox.observe.indicator import Indicator, IndicatorSeries
 from gasbox.observe.motion import center_of_mass, mean_speed, rms_speed
 from gasbox.observe.pressure import (
     common_accessible_area,
@@ -35,36 +43,88 @@ from gasbox.observe.pressure import (
     wall_pressure,
     wall_pressure_error,
 )
+from gasbox.observe.profiles import Profile, ProfileAverage, Profiles
 from gasbox.observe.series import Series, TimeSeries
+from gasbox.observe.sides import (
+    Centers,
+    CenterSeries,
+    Line,
+    Sides,
+    SideSeries,
+    greatest_mixing_entropy,
+    mixing,
+    mixing_entropy,
+    side_counts,
+)
+from gasbox.observe.strips import Axis, strip_areas
+from gasbox.observe.walls import (
+    MeanDisplacement,
+    between,
+    gauge_lengths,
+    passage_rates,
+    wall_pressure_errors,
+    wall_pressures,
+)
 
 __all__ = [
+    "Axis",
+    "Balance",
+    "CenterSeries",
+    "Centers",
     "CollisionRates",
     "ContactCounter",
     "ContactLog",
+    "EnergyBalance",
     "Histogram",
     "HistogramAverage",
+    "Indicator",
+    "IndicatorSeries",
+    "Line",
+    "MeanDisplacement",
+    "Profile",
+    "ProfileAverage",
+    "Profiles",
     "Series",
+    "SideSeries",
+    "Sides",
     "TimeSeries",
+    "WallGauge",
+    "WallSeries",
+    "angular_momentum",
     "automatic_maximum",
+    "between",
     "bin_edges",
+    "block_error",
     "center_of_mass",
     "collision_rates",
     "common_accessible_area",
     "degrees_of_freedom",
     "energy_histogram",
+    "gauge_lengths",
+    "greatest_mixing_entropy",
     "histogram",
+    "internal_energy",
     "kinetic_energy",
     "mean_free_path",
     "mean_speed",
+    "mixing",
+    "mixing_entropy",
     "momentum",
+    "passage_rates",
+    "potential_energy",
     "rms_speed",
+    "side_counts",
     "species_mean_free_path",
     "species_temperature",
     "speed_histogram",
+    "strip_areas",
     "temperature",
     "thermal_energy",
+    "thermal_velocity",
     "virial_pressure",
     "virial_pressure_error",
     "wall_pressure",
     "wall_pressure_error",
+    "wall_pressure_errors",
+    "wall_pressures",
 ]

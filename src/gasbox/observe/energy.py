@@ -1,8 +1,17 @@
 """Energy, momentum and temperature of a gas.
 
-Temperature is T = 2K/f (k_B = 1). Along a periodic direction the total momentum is conserved and carries no
-heat: the velocity of the centre of mass along it is subtracted, and one degree of freedom is taken off. So f
-= 2N between walls, 2N - 1 in a channel, 2N - 2 in a fully periodic box.
+Temperature is T = 2K/f (k_B = 1). Where a momentum is conserved (`gasbox.geometry.conserved`) it carries no heat: the
+velocity of the centre of mass along such a direction is subtracted, and one degree of freedom is taken off. So f = 2N
+between walls, 2N - 1 in a channel, 2N - 2 in a fully periodic box. Obstacles, rough walls or gravity break the
+symmetry; then f = 2N, and all of K counts.
+
+In a bare smooth circle the angular momentum L about the centre is conserved: the velocities are taken in the frame that
+turns with L/I, I = sum m r² of the present positions, which leaves K - L²/(2I), and f = 2N - 1. There K is conserved,
+but with L the heat is not quite, since I fluctuates; of N discs by one part in N.
+
+Gravity changes none of this: it acts on all discs alike, so velocities at one moment know nothing of it. It adds a
+potential energy -m g·x to each disc. Along a periodic direction there is no potential: gravity drives discs round and
+round there.
 """
 
 from __future__ import annotations
@@ -10,16 +19,21 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
+from gasbox.geometry.conserved import conserved_momentum, conserves_rotation
 from gasbox.state import State
 
 __all__ = [
+    "angular_momentum",
     "degrees_of_freedom",
+    "internal_energy",
     "kinetic_energy",
     "momentum",
+    "potential_energy",
     "species_temperature",
     "temperature",
     "thermal_energy",
+    "thermal_velocity",
 ]
 
 
@@ -28,30 +42,49 @@ def kinetic_energy(state: State) -> float:
     return _energy(state.mass, state.velocity)
 
 
+def potential_energy(state: State, geometry: Geometry) -> float:
+    """Energy of all particles in gravity, -sum m g·x [energy]; zero at the origin, negative where they fall to."""
+    pull = np.where(geometry.periodic, 0.0, geometry.gravity)
+    return -float(state.mass @ (state.position @ pull)) if np.any(pull) else 0.0
+
+
+def internal_energy(state: State, geometry: Geometry) -> float:
+    """Kinetic and potential energy of all particles [energy]."""
+    return kinetic_energy(state) + potential_energy(state, geometry)
+
+
 def momentum(state: State) -> NDArray[np.float64]:
     """(2,) float64 [mass·length/time]: total momentum."""
     total: NDArray[np.float64] = state.mass @ state.velocity
     return total
 
 
-def thermal_energy(state: State, geometry: Rectangle) -> float:
-    """Kinetic energy [energy] without that of the drift along periodic directions."""
-    if state.count == 0 or not np.any(geometry.periodic):
+def angular_momentum(state: State, center: tuple[float, float] = (0.0, 0.0)) -> float:
+    """Sum of m (r x v) about a point [mass·length²/time], counter-clockwise positive."""
+    arm, velocity = state.position - center, state.velocity
+    return float(state.mass @ (arm[:, 0] * velocity[:, 1] - arm[:, 1] * velocity[:, 0]))
+
+
+def thermal_energy(state: State, geometry: Geometry) -> float:
+    """Kinetic energy [energy] without that of the drift, or rotation, that is conserved."""
+    conserved = conserved_momentum(geometry)
+    if state.count == 0 or not (np.any(conserved) or conserves_rotation(geometry)):
         return kinetic_energy(state)
     whole = state.mass @ state.velocity**2
-    drift = np.where(geometry.periodic, momentum(state) ** 2 / np.sum(state.mass), 0.0)
-    if np.any(drift > 0.5 * whole):
+    drift = np.where(conserved, momentum(state) ** 2 / np.sum(state.mass), 0.0)
+    if conserves_rotation(geometry) or np.any(drift > 0.5 * whole):
         # The difference would lose digits.
-        return _energy(state.mass, _thermal_velocity(state, geometry))
+        return _energy(state.mass, thermal_velocity(state, geometry))
     return 0.5 * float(np.sum(whole - drift))
 
 
-def degrees_of_freedom(count: int, geometry: Rectangle) -> int:
-    """Velocity components that share the energy: 2 a particle, less one for each periodic direction."""
-    return max(2 * count - int(geometry.periodic_x) - int(geometry.periodic_y), 0)
+def degrees_of_freedom(count: int, geometry: Geometry) -> int:
+    """Velocity components that share the energy: 2 a particle, less one for each conserved momentum."""
+    conserved = int(np.count_nonzero(conserved_momentum(geometry))) + int(conserves_rotation(geometry))
+    return max(2 * count - conserved, 0)
 
 
-def temperature(state: State, geometry: Rectangle) -> float | None:
+def temperature(state: State, geometry: Geometry) -> float | None:
     """T = 2K/f [energy]; None without degrees of freedom (no particle, or a single one in a periodic box)."""
     freedom = degrees_of_freedom(state.count, geometry)
     if freedom == 0:
@@ -59,7 +92,7 @@ def temperature(state: State, geometry: Rectangle) -> float | None:
     return 2.0 * thermal_energy(state, geometry) / freedom
 
 
-def species_temperature(state: State, geometry: Rectangle, species: int) -> float | None:
+def species_temperature(state: State, geometry: Geometry, species: int) -> float | None:
     """Mean kinetic energy per particle of one species [energy], in the same frame as `temperature`.
 
     Where momentum is conserved its long-time mean is T (1 - (conserved/2) m/M), with the mass m of the
@@ -70,16 +103,30 @@ def species_temperature(state: State, geometry: Rectangle, species: int) -> floa
     count = int(np.count_nonzero(mine))
     if count == 0 or degrees_of_freedom(state.count, geometry) == 0:
         return None
-    return _energy(state.mass[mine], _thermal_velocity(state, geometry)[mine]) / count
+    return _energy(state.mass[mine], thermal_velocity(state, geometry)[mine]) / count
+
+
+def thermal_velocity(state: State, geometry: Geometry) -> NDArray[np.float64]:
+    """(n, 2) float64 [length/time]: velocities less the drift, or rotation, that is conserved."""
+    conserved = conserved_momentum(geometry)
+    if state.count == 0:
+        return state.velocity
+    if conserves_rotation(geometry):
+        return state.velocity - _rotation(state, geometry)
+    if not np.any(conserved):
+        return state.velocity
+    drift = momentum(state) / np.sum(state.mass)
+    return state.velocity - np.where(conserved, drift, 0.0)
+
+
+def _rotation(state: State, geometry: Geometry) -> NDArray[np.float64]:
+    """(n, 2) float64 [length/time]: velocities of a rigid body with the same angular momentum."""
+    center = (0.5 * geometry.width, 0.5 * geometry.height)
+    arm = state.position - center
+    inertia = float(state.mass @ np.sum(arm**2, axis=1))
+    rate = angular_momentum(state, center) / inertia if inertia > 0.0 else 0.0
+    return rate * np.stack([-arm[:, 1], arm[:, 0]], axis=1)
 
 
 def _energy(mass: NDArray[np.float64], velocity: NDArray[np.float64]) -> float:
     return 0.5 * float(np.sum(mass @ velocity**2))
-
-
-def _thermal_velocity(state: State, geometry: Rectangle) -> NDArray[np.float64]:
-    """(n, 2) float64 [length/time]: velocities less that of the centre of mass along periodic directions."""
-    if state.count == 0 or not np.any(geometry.periodic):
-        return state.velocity
-    drift = momentum(state) / np.sum(state.mass)
-    return state.velocity - np.where(geometry.periodic, drift, 0.0)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
 from gasbox.observe.energy import species_temperature, temperature
 from gasbox.observe.motion import speeds
 from gasbox.state import State
@@ -80,7 +80,7 @@ def histogram(
     return (speed_histogram if quantity == "speed" else energy_histogram)(state, species, edges)
 
 
-def automatic_maximum(state: State, geometry: Rectangle, species: int, quantity: Quantity = "speed") -> float:
+def automatic_maximum(state: State, geometry: Geometry, species: int, quantity: Quantity = "speed") -> float:
     """A round end for the axis of one species, from theory; ask once, at the start, and keep it.
 
     It holds 99.9 % of Maxwell's law at the temperature of the gas, to which the species will come, or at its

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
 from gasbox.state import State
 
 __all__ = ["center_of_mass", "mean_speed", "rms_speed", "speeds"]
@@ -32,7 +32,7 @@ def rms_speed(state: State, species: int | None = None) -> float | None:
 
 
 def center_of_mass(
-    state: State, geometry: Rectangle, species: int | None = None
+    state: State, geometry: Geometry, species: int | None = None
 ) -> NDArray[np.float64] | None:
     """(2,) float64 [length]: centre of mass of one species, or of all particles; None without any.
 

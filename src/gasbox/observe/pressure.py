@@ -1,8 +1,13 @@
 """Pressure, measured twice: from impulses on the walls, and from the virial of the collisions of pairs.
 
 Both are force per length and both refer to the region that the *centres* of discs can reach, which ends one
-radius before a wall. Between walls the two are tied by the virial theorem and agree in the long run. Nothing
+radius before a wall. In a plain box the two are tied by the virial theorem and agree in the long run. Nothing
 here knows an equation of state.
+
+In a container of any shape the pressure at the walls is that of all walls together, each weighted by its length, and
+the virial one is the mean over the area; in gravity, or where chambers differ, neither holds at every place
+(`gasbox.observe.wall_pressures` has each wall by itself). Where walls move, give the geometry at their mean
+displacement (`gasbox.observe.between`).
 """
 
 from __future__ import annotations
@@ -12,7 +17,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
+from gasbox.observe.walls import gauge_lengths
 from gasbox.state import Tallies
 
 __all__ = [
@@ -25,12 +31,12 @@ __all__ = [
 
 
 def wall_pressure(
-    change: Tallies, geometry: Rectangle, radii: NDArray[np.float64], duration: float
+    change: Tallies, geometry: Geometry, radii: NDArray[np.float64], duration: float
 ) -> float | None:
     """Impulse on the walls per time and length [mass/time²].
 
     Sum over the species of (impulse on all walls)/(duration · length of these walls that its centres can
-    touch).
+    touch). Walls that a species passes, all or in part, open walls and absent ones do not count.
 
     Parameters
     ----------
@@ -47,7 +53,7 @@ def wall_pressure(
 
 
 def wall_pressure_error(
-    change: Tallies, geometry: Rectangle, radii: NDArray[np.float64], duration: float
+    change: Tallies, geometry: Geometry, radii: NDArray[np.float64], duration: float
 ) -> float | None:
     """Standard error of `wall_pressure` [mass/time²].
 
@@ -55,8 +61,10 @@ def wall_pressure_error(
     True of a dilute gas; None without any hit.
     """
     partial = _partial_wall_pressures(change, geometry, radii, duration)
-    hits = np.sum(change.wall_collisions, axis=0)
-    if partial is None or not np.any(hits):
+    if partial is None:
+        return None
+    hits = np.sum(change.wall_collisions, axis=0, where=gauge_lengths(geometry, radii) > 0.0)
+    if not np.any(hits):
         return None
     met = hits > 0
     return math.sqrt(float(np.sum(4.0 / math.pi * partial[met] ** 2 / hits[met])))
@@ -64,7 +72,7 @@ def wall_pressure_error(
 
 def virial_pressure(
     change: Tallies,
-    geometry: Rectangle,
+    geometry: Geometry,
     radii: NDArray[np.float64],
     counts: NDArray[np.int64],
     *,
@@ -103,7 +111,7 @@ def virial_pressure(
 
 def virial_pressure_error(
     change: Tallies,
-    geometry: Rectangle,
+    geometry: Geometry,
     radii: NDArray[np.float64],
     counts: NDArray[np.int64],
     *,
@@ -121,7 +129,7 @@ def virial_pressure_error(
 
 
 def common_accessible_area(
-    geometry: Rectangle, radii: NDArray[np.float64], counts: NDArray[np.int64]
+    geometry: Geometry, radii: NDArray[np.float64], counts: NDArray[np.int64]
 ) -> float | None:
     """One area for species of several sizes [length²]: N/sum_s(N_s/A_s), A_s what centres of s can reach.
 
@@ -137,17 +145,15 @@ def common_accessible_area(
 
 
 def _partial_wall_pressures(
-    change: Tallies, geometry: Rectangle, radii: NDArray[np.float64], duration: float
+    change: Tallies, geometry: Geometry, radii: NDArray[np.float64], duration: float
 ) -> NDArray[np.float64] | None:
     """(species,) float64 [mass/time²]: what each species contributes; None without walls or time."""
-    if duration <= 0.0 or not geometry.is_walled:
+    lengths = gauge_lengths(geometry, radii)
+    if duration <= 0.0 or not np.any(lengths):
         return None
-    walls = range(len(geometry.WALLS))
-    lengths = np.array(
-        [sum(geometry.accessible_length(wall, float(radius)) for wall in walls) for radius in radii]
-    )
-    impulse = np.sum(change.wall_impulse, axis=0)
+    impulse = np.sum(change.wall_impulse, axis=0, where=lengths > 0.0)
+    whole = np.sum(lengths, axis=0)
     # A species too large for the box has no length to touch, and no impulse either.
-    partial = np.zeros(lengths.shape)
-    np.divide(impulse, duration * lengths, out=partial, where=lengths > 0.0)
+    partial = np.zeros(whole.shape)
+    np.divide(impulse, duration * whole, out=partial, where=whole > 0.0)
     return partial
