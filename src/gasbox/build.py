@@ -10,7 +10,7 @@ import numpy as np
 
 from gasbox import dynamics as rules
 from gasbox.errors import Problem, ScenarioError
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
 from gasbox.initial import Overlap, populate, separate, worst_overlap
 from gasbox.jit import mark_compiled
 from gasbox.protocols import Dynamics
@@ -28,7 +28,7 @@ class Parts:
     """What a simulation is made of."""
 
     state: State
-    geometry: Rectangle
+    geometry: Geometry
     dynamics: Dynamics
     frame_interval: float
     warnings: tuple[str, ...]
@@ -67,26 +67,26 @@ def _memory(scenario: Scenario) -> Memory | None:
 
 
 def _dynamics(
-    scenario: Scenario, state: State, geometry: Rectangle, memory: Memory | None, threads: int | None
+    scenario: Scenario, state: State, geometry: Geometry, memory: Memory | None, threads: int | None
 ) -> Dynamics:
-    tallies = _tallies(scenario.snapshot, len(scenario.species), len(Rectangle.WALLS))
+    tallies = _tallies(scenario.snapshot, len(scenario.species), len(geometry.wall_names))
     contacts = Contacts.empty(0)
     match scenario.dynamics:
         case Stepped(time_step=time_step):
-            return rules.Stepped(state, geometry, time_step, tallies, contacts, memory, threads)
+            return rules.Stepped(state, geometry, time_step, tallies, contacts, memory, threads, scenario.seed)
         case EventDriven():
-            return rules.EventDriven(state, geometry, tallies, contacts, memory)
+            return rules.EventDriven(state, geometry, tallies, contacts, memory, scenario.seed)
 
 
 def _tallies(snapshot: Snapshot | None, species: int, walls: int) -> Tallies:
     tallies = Tallies.zero(species, walls)
     if snapshot is not None:
         for name, values in snapshot.tallies.items():
-            getattr(tallies, name)[...] = np.asarray(values)
+            getattr(tallies, name)[...] = np.asarray(values).reshape(getattr(tallies, name).shape)
     return tallies
 
 
-def _part(state: State, geometry: Rectangle, scenario: Scenario, warnings: list[str]) -> None:
+def _part(state: State, geometry: Geometry, scenario: Scenario, warnings: list[str]) -> None:
     """See to it that no discs overlap: refuse a start with overlaps, separate those left by the stepped rule."""
     overlap = worst_overlap(state, geometry)
     if overlap is None:
@@ -122,7 +122,7 @@ def _tunnelling(state: State, time_step: float) -> list[str]:
     ]
 
 
-def _frame_interval(scenario: Scenario, state: State, geometry: Rectangle) -> float:
+def _frame_interval(scenario: Scenario, state: State, geometry: Geometry) -> float:
     """The scenario's own, else one step, else so that the motion is pleasant to watch (rounded to 1, 2 or 5)."""
     if scenario.frame_interval is not None:
         return scenario.frame_interval

@@ -7,38 +7,60 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from gasbox.dynamics.halls import make_hall, set_waves, start_walls, turn_walls, wall_rows
 from gasbox.errors import DynamicsError
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Enclosure, Geometry, Rectangle
 from gasbox.kernels import arguments, event_driven
 from gasbox.kernels.event_driven.tables import (
+    COLUMNS,
     CROSSINGS,
+    CROWDED,
     EVENTS,
+    FIRST,
     LABEL,
+    LEVEL,
     NOW,
     PREDICTIONS,
+    RADIUS,
+    ROWS,
     SORT_AT,
+    SPECIES,
     STALES,
     T0,
     TESTS,
     VX,
     X,
 )
+from gasbox.kernels.hall import Hall, with_cells
+from gasbox.kernels.hall.motion import next_turn, shift_walls, show_walls
 from gasbox.protocols import Status
 from gasbox.state import Contacts, Memory, State, Tallies
 
 __all__ = ["EventDriven", "epoch_length"]
 
 
-def epoch_length(state: State, geometry: Rectangle) -> float:
+def epoch_length(state: State, geometry: Geometry) -> float:
     """Length of an epoch [time]: a power of two in which a disc flies some 500 radii, or a few times across the box.
 
     References move to the next epoch at whole multiples of it, so that late times lose no digits.
     """
-    speed = math.sqrt(float((state.velocity**2).sum(axis=1).mean())) if state.count else 0.0
+    speed = _typical_speed(state, geometry)
     if speed == 0.0:
         return 2.0**20
     way = max(500.0 * float(np.median(state.radius)), geometry.width, geometry.height)
     return 2.0 ** round(math.log2(way / speed))
+
+
+def _typical_speed(state: State, geometry: Geometry) -> float:
+    """Of the discs as they are, and of what gravity and warm walls may make of them [length/time]."""
+    if not state.count:
+        return 0.0
+    square = float((state.velocity**2).sum(axis=1).mean())
+    if isinstance(geometry, Enclosure):
+        square += 0.5 * math.hypot(*geometry.gravity) * float(geometry.size.max())
+        warmest = max((wall.temperature or 0.0 for wall in geometry.walls), default=0.0)
+        square += warmest / float(state.mass.min())
+    return math.sqrt(square)
 
 
 class EventDriven:
@@ -50,9 +72,10 @@ class EventDriven:
     Parameters
     ----------
     state : the particles; its arrays are changed in place
-    geometry : the box
+    geometry : the box, or the enclosure
     tallies, contacts : where collisions are booked
     memory : the references and the epoch, for going on from a snapshot
+    seed : of the random numbers of thermal walls
     """
 
     sort_after = 32
@@ -61,23 +84,59 @@ class EventDriven:
     def __init__(
         self,
         state: State,
-        geometry: Rectangle,
+        geometry: Geometry,
         tallies: Tallies,
         contacts: Contacts,
         memory: Memory | None = None,
+        seed: int = 0,
     ) -> None:
         self.tallies = tallies
         self.contacts = contacts
-        self._geometry = geometry
-        self._box = arguments.box(geometry)
+        self._seed = seed
+        self._soft: frozenset[str] = frozenset()
+        self._hall: Hall | None = None
+        self._enter(geometry)
         if memory is None:
             self._epoch_length = epoch_length(state, geometry)
             self._epoch = math.floor(state.time / self._epoch_length)
+            self._set_walls(state)
             self.resync(state)
             return
         self._epoch_length = float(memory["epoch_length"])
         self._epoch = int(memory["epoch"])
+        self._set_walls(state, memory.get("walls"))
         self._refer(state, memory["position"], memory["velocity"], memory["time"])
+
+    def _enter(self, geometry: Geometry) -> None:
+        self._geometry = geometry
+        self._box = arguments.box(geometry)
+        species = self.tallies.pair_collisions.shape[0]
+        self._bare = make_hall(geometry, species, self._seed, self._soft)
+
+    def _set_walls(self, state: State, rows: NDArray[np.float64] | None = None) -> None:
+        """Set walls in motion: as remembered, or at the time of the state, pistons where the state has them."""
+        if self._bare is not None:
+            start_walls(self._bare, self._geometry, state, self._start, rows)
+            self._show_walls(state)
+
+    def _show_walls(self, state: State) -> None:
+        if self._bare is not None and self._geometry.moves:
+            if not state.wall_displacement.size:
+                state.wall_displacement = np.zeros(len(self._bare.wall))
+                state.wall_velocity = np.zeros(len(self._bare.wall))
+            show_walls(self._bare, state.time - self._start, state.wall_displacement, state.wall_velocity)
+
+    def alter(self, state: State, geometry: Geometry, soft: frozenset[str] = frozenset()) -> None:
+        """Take over another geometry at the time of the state.
+
+        Parameters
+        ----------
+        soft : names of walls that were put where discs may stand: those that do are let go on
+        """
+        self._soft |= soft
+        self._enter(geometry)
+        self._set_walls(state)
+        self.resync(state)
 
     @property
     def _start(self) -> float:
@@ -95,9 +154,10 @@ class EventDriven:
         time: NDArray[np.float64] | float,
     ) -> None:
         """Make new tables from references (n, 2), (n, 2), (n,), for a state at its own time."""
-        size = (self._geometry.width, self._geometry.height)
-        periodic = (self._geometry.periodic_x, self._geometry.periodic_y)
+        self._box = self._box_around(state)
+        size, periodic = (self._box.width, self._box.height), (self._box.periodic_x, self._box.periodic_y)
         self._tables = event_driven.tables(state.radius, state.mass, state.species, size, periodic)
+        self._hall = None if self._bare is None else self._with_cells(self._bare)
         flight = self._tables.flight
         flight[:, X : X + 2] = position
         flight[:, VX : VX + 2] = velocity
@@ -105,6 +165,30 @@ class EventDriven:
         self._events_before = 0
         self._rate = self._expected_rate(state)
         self._rebuild(state.time - self._start)
+
+    def _box_around(self, state: State) -> arguments.Box:
+        """The box that the cells divide; where a side has moved out, a larger one."""
+        box = arguments.box(self._geometry)
+        if not state.wall_displacement.size or not isinstance(self._geometry, Enclosure):
+            return box
+        if not isinstance(self._geometry.container, Rectangle):
+            return box
+        return box._replace(
+            width=max(box.width, box.width + state.wall_displacement[1]),
+            height=max(box.height, box.height + state.wall_displacement[3]),
+        )
+
+    def _with_cells(self, hall: Hall) -> Hall:
+        """The hall with lists of the elements near each cell."""
+        levels, link = self._tables.levels, self._tables.link
+        if self._geometry.moves:
+            # Beyond the box discs crowd in the outermost cells, however narrow these are.
+            levels[:, CROWDED] = 0
+        largest = np.zeros(len(levels))
+        np.maximum.at(largest, link[:, LEVEL], self._tables.flight[:, RADIUS])
+        size = np.array([self._box.width, self._box.height])
+        columns, rows, first = (levels[:, column].copy() for column in (COLUMNS, ROWS, FIRST))
+        return with_cells(hall, size, self._geometry.periodic, columns, rows, first, largest)
 
     def _expected_rate(self, state: State) -> float:
         """Events per time to expect before any were counted; rather too many, since empty buckets cost little."""
@@ -116,15 +200,19 @@ class EventDriven:
 
     def _rebuild(self, now: float) -> None:
         """Sort the rows, then find all events anew: tuning only, it touches no reference and so no bit."""
-        event_driven.sort_rows(self._tables, self._box, now)
+        event_driven.sort_rows(self._tables, self._box, self._hall, now)
         counter = self._tables.counter
         counter[SORT_AT] = counter[EVENTS] + max(self.sort_after * self._tables.mass.size, 16)
-        event_driven.rebuild(self._tables, self._box, now, self._epoch_length, self._rate)
+        event_driven.rebuild(self._tables, self._box, self._hall, now, self._epoch_length, self._rate)
 
     def _next_epoch(self) -> None:
         events = int(self._tables.counter[EVENTS])
-        event_driven.shift(self._tables.flight, self._box, self._epoch_length)
+        event_driven.shift(self._tables.flight, self._box, self._hall, self._epoch_length)
+        if self._hall is not None:
+            shift_walls(self._hall, self._epoch_length)
         self._epoch += 1
+        if self._hall is not None:
+            set_waves(self._hall, self._geometry, self._start)
         self._rate = max(events - self._events_before, 1) / self._epoch_length
         self._events_before = events
         self._rebuild(0.0)
@@ -135,9 +223,11 @@ class EventDriven:
         book = arguments.ledger(self.tallies, self.contacts, rows, state)
         while True:
             local = min(until - self._start, self._epoch_length)
-            status = event_driven.advance(self._tables, self._box, book, local, self._start)
+            status = event_driven.advance(self._tables, self._box, self._hall, book, local, self._start)
             if status == event_driven.SORT:
                 self._rebuild(float(self._tables.number[NOW]))
+            elif status == event_driven.TURN:
+                self._turn()
             elif status == arguments.DONE and until - self._start >= self._epoch_length:
                 self._next_epoch()
             else:
@@ -152,21 +242,43 @@ class EventDriven:
         if status == arguments.FULL:
             return Status.FULL
         flight, link = self._tables.flight, self._tables.link
-        event_driven.project(flight, link, self._box, until - self._start, arguments.gas(state))
+        local = until - self._start
+        event_driven.project(flight, link, self._box, self._hall, local, arguments.gas(state))
         state.time = until
+        self._show_walls(state)
+        if self._hall is not None and np.any(link[:, SPECIES] < 0):
+            self._see_off(state)
         return Status.DONE
+
+    def _turn(self) -> None:
+        """Let walls whose motion has come to a corner or a stop go on, and all discs look for them anew."""
+        assert self._hall is not None
+        now = next_turn(self._hall)
+        for wall in turn_walls(self._hall, self._geometry, now, self._start):
+            event_driven.meet_moved(self._tables, self._hall, self._box, wall, -1, now)
+
+    def _see_off(self, state: State) -> None:
+        """Let go of the discs that have left: tables without them, from the same references."""
+        memory = self.memory()
+        stays = np.ones(state.count, np.bool_)
+        stays[self._tables.link[self._tables.link[:, SPECIES] < 0, LABEL]] = False
+        state.keep(stays)
+        self._refer(state, memory["position"][stays], memory["velocity"][stays], memory["time"][stays])
 
     def memory(self) -> Memory:
         """``epoch_length``, ``epoch`` and the references: ``position``, ``velocity``, ``time`` (since its start)."""
         flight = np.empty_like(self._tables.flight)
         flight[self._tables.link[:, LABEL]] = self._tables.flight
-        return {
+        memory: Memory = {
             "epoch_length": self._epoch_length,
             "epoch": self._epoch,
             "position": flight[:, X : X + 2].copy(),
             "velocity": flight[:, VX : VX + 2].copy(),
             "time": flight[:, T0].copy(),
         }
+        if self._bare is not None and self._geometry.moves:
+            memory["walls"] = wall_rows(self._bare)
+        return memory
 
     def effort(self) -> dict[str, int]:
         """What finding the events has cost so far: numbers that don't depend on the machine."""

@@ -10,10 +10,11 @@ from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import DONE, FULL, NO_PROGRESS, Box, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange
 from gasbox.kernels.event_driven.ahead import foresee
-from gasbox.kernels.event_driven.cells import cross, schedule_crossing
-from gasbox.kernels.event_driven.flight import note_speed
+from gasbox.kernels.event_driven.bounce import meet
+from gasbox.kernels.event_driven.cells import cross, leave, schedule_crossing
+from gasbox.kernels.event_driven.flight import note_speed, place_at, velocity_at
 from gasbox.kernels.event_driven.queue import earliest, remove
-from gasbox.kernels.event_driven.search import predict, predict_entered, release
+from gasbox.kernels.event_driven.search import meet_moved, predict, predict_entered, release
 from gasbox.kernels.event_driven.tables import (
     CROSSINGS,
     CURRENT,
@@ -39,20 +40,27 @@ from gasbox.kernels.event_driven.tables import (
     X,
     Y,
 )
+from gasbox.kernels.hall import Hall
+from gasbox.kernels.hall.motion import next_turn
 
-__all__ = ["SORT", "advance"]
+__all__ = ["SORT", "TURN", "advance"]
 
 SORT = 11
 """Status: neighbours have drifted apart in memory; sort the rows and rebuild, then call again."""
 
 
+TURN = 12
+"""Status: a wall comes to the end of a piece of its motion, or to a stop; set the next piece and call again."""
+
+
 @inlined_kernel
-def _refer(tables: Tables, box: Box, i: int, now: float) -> None:
+def _refer(tables: Tables, box: Box, hall: Hall | None, i: int, now: float) -> None:
     """Make `now` the reference time of particle i: its position then, inside the box where it is periodic."""
     flight = tables.flight
     elapsed = now - flight[i, T0]
-    x = flight[i, X] + flight[i, VX] * elapsed
-    y = flight[i, Y] + flight[i, VY] * elapsed
+    x, y = place_at(flight, hall, i, elapsed)
+    if hall is not None:
+        flight[i, VX], flight[i, VY] = velocity_at(flight, hall, i, elapsed)
     if box.periodic_x:
         x -= math.floor(x / box.width) * box.width
     if box.periodic_y:
@@ -71,11 +79,13 @@ def _free(tables: Tables, i: int) -> None:
 
 
 @inlined_kernel
-def _collide(tables: Tables, box: Box, book: Ledger, i: int, j: int, now: float, epoch: float) -> None:
+def _collide(
+    tables: Tables, box: Box, hall: Hall | None, book: Ledger, i: int, j: int, now: float, epoch: float
+) -> None:
     """Execute the collision of i and j (label of i below that of j); if rounding finds them parting, let them pass."""
     flight = tables.flight
-    _refer(tables, box, i, now)
-    _refer(tables, box, j, now)
+    _refer(tables, box, hall, i, now)
+    _refer(tables, box, hall, j, now)
     dx, dy = flight[i, X] - flight[j, X], flight[i, Y] - flight[j, Y]
     if box.periodic_x:
         dx -= box.width * np.rint(dx / box.width)
@@ -110,7 +120,7 @@ def _bounce(tables: Tables, box: Box, book: Ledger, i: int, wall: int, now: floa
     """Execute the collision of disc i with a wall, and put it exactly on it."""
     flight = tables.flight
     species, label = tables.link[i, SPECIES], tables.link[i, LABEL]
-    _refer(tables, box, i, now)
+    _refer(tables, box, None, i, now)
     if wall < 2:
         flight[i, X] = flight[i, RADIUS] if wall == 0 else box.width - flight[i, RADIUS]
         flight[i, VX] = -flight[i, VX]
@@ -122,42 +132,77 @@ def _bounce(tables: Tables, box: Box, book: Ledger, i: int, wall: int, now: floa
 
 
 @inlined_kernel
-def _pair_event(tables: Tables, box: Box, book: Ledger, i: int, j: int, now: float, epoch: float) -> None:
+def _pair_event(
+    tables: Tables, box: Box, hall: Hall | None, book: Ledger, i: int, j: int, now: float, epoch: float
+) -> None:
     _free(tables, i)
     _free(tables, j)
     if tables.link[j, LABEL] < tables.link[i, LABEL]:
         i, j = j, i
-    _collide(tables, box, book, i, j, now, epoch)
-    schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, i, now)
-    schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, j, now)
-    predict(tables, box, i, now)
+    _collide(tables, box, hall, book, i, j, now, epoch)
+    schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, hall, i, now)
+    schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, hall, j, now)
+    predict(tables, box, hall, i, now)
     # In a tiny periodic box i may have found another image of j.
     remove(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, j)
     if tables.link[j, PARTNER] >= 0:
         release(tables, tables.link[j, PARTNER])
-    predict(tables, box, j, now)
+    predict(tables, box, hall, j, now)
 
 
 @inlined_kernel
-def _wall_event(tables: Tables, box: Box, book: Ledger, i: int, wall: int, now: float, epoch: float) -> None:
+def _hall_event(
+    tables: Tables, box: Box, hall: Hall, book: Ledger, i: int, code: int, now: float, epoch: float
+) -> None:
+    _free(tables, i)
+    _refer(tables, box, hall, i, now)
+    flight, link = tables.flight, tables.link
+    piston = meet(tables, box, hall, book, i, code, now, epoch)
+    if link[i, SPECIES] < 0:
+        leave(link, tables.head, i)
+        flight[i, T_CROSS] = math.inf
+        return
+    note_speed(flight, tables.number, i)
+    schedule_crossing(flight, link, tables.levels, tables.sides, box, hall, i, now)
+    predict(tables, box, hall, i, now)
+    if piston >= 0:
+        meet_moved(tables, hall, box, piston, i, now)
+
+
+@inlined_kernel
+def _wall_event(
+    tables: Tables, box: Box, hall: Hall | None, book: Ledger, i: int, code: int, now: float, epoch: float
+) -> None:
+    if hall is not None:
+        _hall_event(tables, box, hall, book, i, code, now, epoch)
+        return
+    wall = WALL - code
     _free(tables, i)
     _bounce(tables, box, book, i, wall, now, epoch)
-    schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, i, now)
-    predict(tables, box, i, now)
+    schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, hall, i, now)
+    predict(tables, box, hall, i, now)
 
 
 @inlined_kernel
-def _cross_event(tables: Tables, box: Box, i: int, now: float) -> None:
+def _cross_event(tables: Tables, box: Box, hall: Hall | None, i: int, now: float) -> None:
     remove(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, i)
     flight, link, levels, sides = tables.flight, tables.link, tables.levels, tables.sides
-    step_x, step_y = cross(flight, link, tables.head, levels, sides, box, i, now)
-    schedule_crossing(flight, link, levels, sides, box, i, now)
-    predict_entered(tables, box, i, now, step_x, step_y)
+    step_x, step_y = cross(flight, link, tables.head, levels, sides, box, hall, i, now)
+    schedule_crossing(flight, link, levels, sides, box, hall, i, now)
+    predict_entered(tables, box, hall, i, now, step_x, step_y)
     tables.counter[CROSSINGS] += 1
 
 
+@inlined_kernel
+def _next_turn(hall: Hall | None) -> float:
+    """When a wall changes its motion of itself."""
+    if hall is None:
+        return math.inf
+    return next_turn(hall)
+
+
 @bare_kernel
-def advance(tables: Tables, box: Box, book: Ledger, until: float, epoch: float) -> int:
+def advance(tables: Tables, box: Box, hall: Hall | None, book: Ledger, until: float, epoch: float) -> int:
     """Execute all events up to and including the time `until`.
 
     Parameters
@@ -167,8 +212,8 @@ def advance(tables: Tables, box: Box, book: Ledger, until: float, epoch: float) 
 
     Returns
     -------
-    DONE, FULL (read the contacts, call again), SORT (sort the rows, rebuild, call again) or NO_PROGRESS (very many
-    events at one moment).
+    DONE, FULL (read the contacts, call again), SORT (sort the rows, rebuild, call again), TURN (a wall changes its
+    motion, call again) or NO_PROGRESS (very many events at one moment).
     """
     flight, link, counter = tables.flight, tables.link, tables.counter
     limited = book.kind.shape[0] > 0
@@ -176,18 +221,20 @@ def advance(tables: Tables, box: Box, book: Ledger, until: float, epoch: float) 
     # Kept from call to call: otherwise contacts to read and rows to sort would renew the patience for ever.
     idle, latest = counter[IDLE], tables.number[NOW]
     foreseen = counter[CURRENT]
+    turn = _next_turn(hall)
     while True:
-        i = earliest(flight, link, tables.ring, tables.heap, counter, tables.number, until)
+        last = min(until, turn)
+        i = earliest(flight, link, tables.ring, tables.heap, counter, tables.number, last)
         if counter[FETCHES]:
             while foreseen < counter[CURRENT]:
                 foreseen += 1
                 foresee(tables, counter[CURRENT] - foreseen)
         if i < 0:
-            return DONE
+            return TURN if turn <= until else DONE
         event, crossing, partner = flight[i, T_EVENT], flight[i, T_CROSS], link[i, PARTNER]
         now = min(event, crossing)
-        if now > until:
-            return DONE
+        if now > last:
+            return TURN if turn <= until else DONE
         if now > latest:
             latest, idle = now, 0
         else:
@@ -198,16 +245,17 @@ def advance(tables: Tables, box: Box, book: Ledger, until: float, epoch: float) 
         if counter[EVENTS] >= counter[SORT_AT]:
             return SORT
         if crossing <= event:
-            _cross_event(tables, box, i, now)
+            _cross_event(tables, box, hall, i, now)
         elif partner == STALE:
             counter[STALES] += 1
             _free(tables, i)
-            predict(tables, box, i, now)
+            predict(tables, box, hall, i, now)
         elif limited and book.rows[0] >= book.kind.shape[0]:
             return FULL
         elif partner >= 0:
-            _pair_event(tables, box, book, i, partner, now, epoch)
+            _pair_event(tables, box, hall, book, i, partner, now, epoch)
         else:
-            _wall_event(tables, box, book, i, WALL - partner, now, epoch)
+            _wall_event(tables, box, hall, book, i, partner, now, epoch)
+            turn = _next_turn(hall)
         counter[EVENTS] += 1
         tables.number[NOW] = now

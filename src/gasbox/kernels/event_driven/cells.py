@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from gasbox.jit import inlined_kernel
 from gasbox.kernels.arguments import Box
+from gasbox.kernels.event_driven.flight import place_at, velocity_at
 from gasbox.kernels.event_driven.tables import (
     CELL,
     COLUMN,
@@ -24,11 +25,9 @@ from gasbox.kernels.event_driven.tables import (
     ROWS,
     T0,
     T_CROSS,
-    VX,
-    VY,
-    X,
-    Y,
 )
+from gasbox.kernels.hall import Hall
+from gasbox.kernels.hall.roots import first_fall
 
 __all__ = ["cross", "enter", "leave", "schedule_crossing", "wrapped"]
 
@@ -89,12 +88,44 @@ def _time_to_cross(
 
 
 @inlined_kernel
+def _to_edges(
+    x: float, cell: int, cells: int, side: float, length: float, periodic: bool
+) -> tuple[float, float]:
+    """Distance of the coordinate `x` from the lower and the upper edge of its cell, infinity where there is none."""
+    if cells == 1:
+        return (length, length) if periodic else (math.inf, math.inf)
+    within = x - cell * side
+    if periodic:
+        within -= length * np.rint((within - 0.5 * side) / length)
+    down, up = max(within, 0.0), max(side - within, 0.0)
+    if not periodic:
+        down = math.inf if cell == 0 else down
+        up = math.inf if cell == cells - 1 else up
+    return down, up
+
+
+@inlined_kernel
+def _time_to_fall_out(
+    x: float, v: float, g: float, cell: int, cells: int, side: float, length: float, periodic: bool
+) -> float:
+    """As `_time_to_cross`, with an acceleration."""
+    down, up = _to_edges(x, cell, cells, side, length, periodic)
+    time = math.inf
+    if down < math.inf:
+        time = first_fall(down, v, g, 0.0, 0.0)
+    if up < math.inf:
+        time = min(time, first_fall(up, -v, -g, 0.0, 0.0))
+    return time
+
+
+@inlined_kernel
 def _times_to_cross(
     flight: NDArray[np.float64],
     link: NDArray[np.int32],
     levels: NDArray[np.int64],
     sides: NDArray[np.float64],
     box: Box,
+    hall: Hall | None,
     i: int,
     now: float,
 ) -> tuple[float, float]:
@@ -102,8 +133,17 @@ def _times_to_cross(
     level = link[i, LEVEL]
     columns, rows = levels[level, COLUMNS], levels[level, ROWS]
     elapsed = now - flight[i, T0]
-    vx, vy = flight[i, VX], flight[i, VY]
-    x, y = flight[i, X] + vx * elapsed, flight[i, Y] + vy * elapsed
+    x, y = place_at(flight, hall, i, elapsed)
+    vx, vy = velocity_at(flight, hall, i, elapsed)
+    if hall is not None:
+        if hall.gx != 0.0 or hall.gy != 0.0:
+            column, row = link[i, COLUMN], link[i, ROW]
+            return (
+                _time_to_fall_out(
+                    x, vx, hall.gx, column, columns, sides[level, 0], box.width, box.periodic_x
+                ),
+                _time_to_fall_out(y, vy, hall.gy, row, rows, sides[level, 1], box.height, box.periodic_y),
+            )
     return (
         _time_to_cross(x, vx, link[i, COLUMN], columns, sides[level, 0], box.width, box.periodic_x),
         _time_to_cross(y, vy, link[i, ROW], rows, sides[level, 1], box.height, box.periodic_y),
@@ -117,12 +157,53 @@ def schedule_crossing(
     levels: NDArray[np.int64],
     sides: NDArray[np.float64],
     box: Box,
+    hall: Hall | None,
     i: int,
     now: float,
 ) -> None:
     """Set the time at which particle `i` leaves its cell."""
-    along_x, along_y = _times_to_cross(flight, link, levels, sides, box, i, now)
+    along_x, along_y = _times_to_cross(flight, link, levels, sides, box, hall, i, now)
     flight[i, T_CROSS] = now + min(along_x, along_y)
+
+
+@inlined_kernel
+def _falls(hall: Hall | None) -> bool:
+    """Whether there is gravity."""
+    if hall is None:
+        return False
+    return hall.gx != 0.0 or hall.gy != 0.0
+
+
+@inlined_kernel
+def _nearest_edge(
+    flight: NDArray[np.float64],
+    link: NDArray[np.int32],
+    levels: NDArray[np.int64],
+    sides: NDArray[np.float64],
+    box: Box,
+    hall: Hall | None,
+    i: int,
+    now: float,
+    all_around: bool,
+) -> tuple[int, int]:
+    """Direction of the edge that particle i stands on: where it turns round, its velocity could not tell.
+
+    all_around : whether it may stand on none, having flown once round the box
+    """
+    level = link[i, LEVEL]
+    x, y = place_at(flight, hall, i, now - flight[i, T0])
+    left, right = _to_edges(
+        x, link[i, COLUMN], levels[level, COLUMNS], sides[level, 0], box.width, box.periodic_x
+    )
+    below, above = _to_edges(
+        y, link[i, ROW], levels[level, ROWS], sides[level, 1], box.height, box.periodic_y
+    )
+    nearest = min(left, right, below, above)
+    if all_around and nearest > 1e-7 * min(sides[level, 0], sides[level, 1]):
+        return 0, 0
+    if min(left, right) == nearest:
+        return (-1 if left < right else 1), 0
+    return 0, (-1 if below < above else 1)
 
 
 @inlined_kernel
@@ -133,6 +214,7 @@ def cross(
     levels: NDArray[np.int64],
     sides: NDArray[np.float64],
     box: Box,
+    hall: Hall | None,
     i: int,
     now: float,
 ) -> tuple[int, int]:
@@ -142,13 +224,15 @@ def cross(
     -------
     The direction (-1, 0 or 1 in x and y); 0 and 0, all around, where a cell is as long as a periodic box.
     """
-    along_x, along_y = _times_to_cross(flight, link, levels, sides, box, i, now)
+    along_x, along_y = _times_to_cross(flight, link, levels, sides, box, hall, i, now)
     level = link[i, LEVEL]
     columns, rows = levels[level, COLUMNS], levels[level, ROWS]
-    vx, vy = flight[i, VX], flight[i, VY]
+    vx, vy = velocity_at(flight, hall, i, now - flight[i, T0])
     all_around = (box.periodic_x and columns == 1) or (box.periodic_y and rows == 1)
     step_x, step_y = 0, 0
-    if all_around:
+    if _falls(hall):
+        step_x, step_y = _nearest_edge(flight, link, levels, sides, box, hall, i, now, all_around)
+    elif all_around:
         # Has it reached an edge, or flown once round the box?
         if columns > 1 and along_x * abs(vx) < 1e-7 * sides[level, 0]:
             step_x = 1 if vx > 0.0 else -1

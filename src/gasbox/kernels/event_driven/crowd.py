@@ -24,6 +24,7 @@ from gasbox.kernels.event_driven.tables import (
     X,
     Y,
 )
+from gasbox.kernels.hall import Hall
 
 __all__ = ["sift"]
 
@@ -32,6 +33,7 @@ __all__ = ["sift"]
 def sift(
     tables: Tables,
     box: Box,
+    hall: Hall | None,
     i: int,
     now: float,
     level: int,
@@ -73,7 +75,7 @@ def sift(
     kept = 0
     for place in range(count):
         j = near[place]
-        dx, dy, dvx, dvy, sigma, start = apart(own, flight, j, now, box, across, along)
+        dx, dy, dvx, dvy, sigma, start = apart(own, flight, hall, j, now, box, across, along)
         b = dx * dvx + dy * dvy
         c = dx * dx + dy * dy - sigma * sigma
         near[kept] = j
@@ -81,7 +83,7 @@ def sift(
         kept += (b < 0.0) & (c <= (TIED * latest - start) * HEAD_ON * b)
     for place in range(kept):
         j = near[place]
-        dx, dy, dvx, dvy, sigma, start = apart(own, flight, j, now, box, across, along)
+        dx, dy, dvx, dvy, sigma, start = apart(own, flight, hall, j, now, box, across, along)
         time = meeting_time(dx, dy, dvx, dvy, sigma, start)
         if (
             time <= best

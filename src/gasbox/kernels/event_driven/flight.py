@@ -9,12 +9,34 @@ from numpy.typing import NDArray
 
 from gasbox.jit import inlined_kernel
 from gasbox.kernels.event_driven.tables import FASTEST, RADIUS, T0, VX, VY, WALL, X, Y
+from gasbox.kernels.hall import Hall
 
-__all__ = ["GRAZING", "meeting_time", "note_speed", "wall_meeting"]
+__all__ = ["GRAZING", "meeting_time", "note_speed", "place_at", "velocity_at", "wall_meeting"]
 
 GRAZING = 1e-24
 """A pair whose approach along the line of centres, at contact, is below 1e-12 of its relative speed passes: it would
 overlap by less than 1e-24 of a diameter, and rounding could not tell on which side."""
+
+
+@inlined_kernel
+def place_at(flight: NDArray[np.float64], hall: Hall | None, i: int, elapsed: float) -> tuple[float, float]:
+    """Where disc `i` is, a time after its reference: on a straight line, or on a parabola under gravity."""
+    x = flight[i, X] + flight[i, VX] * elapsed
+    y = flight[i, Y] + flight[i, VY] * elapsed
+    if hall is None:
+        return x, y
+    half = 0.5 * elapsed * elapsed
+    return x + hall.gx * half, y + hall.gy * half
+
+
+@inlined_kernel
+def velocity_at(
+    flight: NDArray[np.float64], hall: Hall | None, i: int, elapsed: float
+) -> tuple[float, float]:
+    """Velocity of disc `i`, a time after its reference."""
+    if hall is None:
+        return flight[i, VX], flight[i, VY]
+    return flight[i, VX] + hall.gx * elapsed, flight[i, VY] + hall.gy * elapsed
 
 
 @inlined_kernel

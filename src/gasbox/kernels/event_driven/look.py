@@ -11,7 +11,7 @@ from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.cells import wrapped
 from gasbox.kernels.event_driven.crowd import sift
-from gasbox.kernels.event_driven.flight import meeting_time
+from gasbox.kernels.event_driven.flight import meeting_time, place_at
 from gasbox.kernels.event_driven.pairs import HEAD_ON, TIED, apart, over_images, precedes, preferred
 from gasbox.kernels.event_driven.tables import (
     COLUMN,
@@ -38,6 +38,7 @@ from gasbox.kernels.event_driven.tables import (
     Y,
 )
 from gasbox.kernels.grid import span
+from gasbox.kernels.hall import Hall
 
 __all__ = ["survey"]
 
@@ -49,6 +50,7 @@ def _look(
     head: NDArray[np.int32],
     counter: NDArray[np.int64],
     box: Box,
+    hall: Hall | None,
     i: int,
     now: float,
     grid: tuple[int, int, int, int, int],
@@ -76,7 +78,7 @@ def _look(
                 tests += 1
                 held = flight[j, T_EVENT]
                 if images_x + images_y == 0:
-                    dx, dy, dvx, dvy, sigma, start = apart(own, flight, j, now, box, across, along)
+                    dx, dy, dvx, dvy, sigma, start = apart(own, flight, hall, j, now, box, across, along)
                     b = dx * dvx + dy * dvy
                     c = dx * dx + dy * dy - sigma * sigma
                     # Even head-on they could not meet before c/(-2 b): too late?
@@ -87,7 +89,7 @@ def _look(
                 elif j == i:
                     time = math.inf
                 else:
-                    time = over_images(own, flight, j, now, box, across, along, images_x, images_y)
+                    time = over_images(own, flight, hall, j, now, box, across, along, images_x, images_y)
                 if (
                     time <= best
                     and time <= held
@@ -115,6 +117,7 @@ def _finer(x: float, cell: int, side: float, fine: float, length: float, periodi
 def _look_around(
     tables: Tables,
     box: Box,
+    hall: Hall | None,
     i: int,
     now: float,
     level: int,
@@ -130,12 +133,13 @@ def _look_around(
     side, radius = min(side_x, side_y), flight[i, RADIUS]
     # The finer cell of the centre, counted from the disc's own cell: rounding at a periodic side does no harm.
     own = link[i, LEVEL]
-    elapsed = now - flight[i, T0]
-    x = flight[i, X] + flight[i, VX] * elapsed
-    y = flight[i, Y] + flight[i, VY] * elapsed
+    x, y = place_at(flight, hall, i, now - flight[i, T0])
     column = _finer(x, link[i, COLUMN], tables.sides[own, 0], side_x, box.width, box.periodic_x)
     row = _finer(y, link[i, ROW], tables.sides[own, 1], side_y, box.height, box.periodic_y)
     speed = tables.number[FASTEST] * 2.0000000001
+    if hall is not None:
+        # References are from this epoch: nobody has fallen for longer than that.
+        speed += 2.0000000001 * now * math.sqrt(hall.gx * hall.gx + hall.gy * hall.gy)
     last = max(right - column, column - left, above - row, row - below)
     ring = max(int(radius / (1.5 * max(side_x, side_y))) - 1, 0)
     while ring <= last:
@@ -153,7 +157,7 @@ def _look_around(
                 part = (line, line, max(row - ring + 1, below), min(row + ring - 1, above))
                 present = left <= line <= right and ring > 0
             if present:
-                best, who = _look(flight, link, head, counter, box, i, now, grid, part, best, who)
+                best, who = _look(flight, link, head, counter, box, hall, i, now, grid, part, best, who)
         ring += 1
     return best, who
 
@@ -174,6 +178,7 @@ def _entered(
 def survey(
     tables: Tables,
     box: Box,
+    hall: Hall | None,
     i: int,
     now: float,
     step_x: int,
@@ -216,9 +221,9 @@ def survey(
         if level >= own:
             block = (cx + left, cx + right, cy + below, cy + above)
             if all_around and levels[level, CROWDED] > 0:
-                best, who = sift(tables, box, i, now, level, block, best, who)
+                best, who = sift(tables, box, hall, i, now, level, block, best, who)
                 continue
-            best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
+            best, who = _look(flight, link, head, counter, box, hall, i, now, grid, block, best, who)
         else:
             fine_x = levels[own, FACTOR_X] // levels[level, FACTOR_X]
             fine_y = levels[own, FACTOR_Y] // levels[level, FACTOR_Y]
@@ -230,7 +235,7 @@ def survey(
             )
             seen_twice = (box.periodic_x and columns < 3) or (box.periodic_y and rows < 3)
             if step_x != 0 or step_y != 0 or seen_twice:
-                best, who = _look(flight, link, head, counter, box, i, now, grid, block, best, who)
+                best, who = _look(flight, link, head, counter, box, hall, i, now, grid, block, best, who)
             else:
-                best, who = _look_around(tables, box, i, now, level, grid, block, best, who)
+                best, who = _look_around(tables, box, hall, i, now, level, grid, block, best, who)
     return best, who

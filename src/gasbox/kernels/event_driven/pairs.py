@@ -12,6 +12,7 @@ from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.flight import meeting_time
 from gasbox.kernels.event_driven.queue import pair_before
 from gasbox.kernels.event_driven.tables import PARTNER, RADIUS, STALE, T0, T_EVENT, VX, VY, WALL, X, Y
+from gasbox.kernels.hall import Hall
 
 __all__ = ["HEAD_ON", "LATEST", "TIED", "apart", "over_images", "precedes", "preferred"]
 
@@ -48,12 +49,40 @@ def preferred(link: NDArray[np.int32], time: float, i: int, j: int, best: float,
 
 
 @inlined_kernel
+def _unfolded_in_fall(
+    own: tuple[float, float, float, float, float, float],
+    flight: NDArray[np.float64],
+    hall: Hall,
+    j: int,
+    start: float,
+) -> tuple[float, float, float, float, float, float]:
+    """As `_unfolded`, under gravity: both fall, and seen from each other fly straight."""
+    x, y, vx, vy, t_i, radius = own
+    own_time, other_time = start - t_i, start - flight[j, T0]
+    dvx = (vx + hall.gx * own_time) - (flight[j, VX] + hall.gx * other_time)
+    dvy = (vy + hall.gy * own_time) - (flight[j, VY] + hall.gy * other_time)
+    half, other_half = 0.5 * own_time * own_time, 0.5 * other_time * other_time
+    dx = (x + vx * own_time + hall.gx * half) - (
+        flight[j, X] + flight[j, VX] * other_time + hall.gx * other_half
+    )
+    dy = (y + vy * own_time + hall.gy * half) - (
+        flight[j, Y] + flight[j, VY] * other_time + hall.gy * other_half
+    )
+    return dx, dy, dvx, dvy, radius + flight[j, RADIUS], start
+
+
+@inlined_kernel
 def _unfolded(
-    own: tuple[float, float, float, float, float, float], flight: NDArray[np.float64], j: int
+    own: tuple[float, float, float, float, float, float],
+    flight: NDArray[np.float64],
+    hall: Hall | None,
+    j: int,
 ) -> tuple[float, float, float, float, float, float]:
     x, y, vx, vy, t_i, radius = own
     t_j = flight[j, T0]
     start = max(t_i, t_j)
+    if hall is not None:
+        return _unfolded_in_fall(own, flight, hall, j, start)
     dvx, dvy = vx - flight[j, VX], vy - flight[j, VY]
     dx = (x + vx * (start - t_i)) - (flight[j, X] + flight[j, VX] * (start - t_j))
     dy = (y + vy * (start - t_i)) - (flight[j, Y] + flight[j, VY] * (start - t_j))
@@ -64,6 +93,7 @@ def _unfolded(
 def apart(
     own: tuple[float, float, float, float, float, float],
     flight: NDArray[np.float64],
+    hall: Hall | None,
     j: int,
     now: float,
     box: Box,
@@ -77,7 +107,7 @@ def apart(
 
     Returns: difference of the centres (nearest image at `now`), of the velocities, sum of the radii, and this time.
     """
-    dx, dy, dvx, dvy, sigma, start = _unfolded(own, flight, j)
+    dx, dy, dvx, dvy, sigma, start = _unfolded(own, flight, hall, j)
     dx -= np.rint((dx + dvx * (now - start)) * across) * box.width
     dy -= np.rint((dy + dvy * (now - start)) * along) * box.height
     return dx, dy, dvx, dvy, sigma, start
@@ -87,6 +117,7 @@ def apart(
 def over_images(
     own: tuple[float, float, float, float, float, float],
     flight: NDArray[np.float64],
+    hall: Hall | None,
     j: int,
     now: float,
     box: Box,
@@ -100,7 +131,7 @@ def over_images(
     The whole shift to an image is made in one step: made in two it would round by what is the nearest at `now`.
     """
     best = math.inf
-    dx, dy, dvx, dvy, sigma, start = _unfolded(own, flight, j)
+    dx, dy, dvx, dvy, sigma, start = _unfolded(own, flight, hall, j)
     column = np.rint((dx + dvx * (now - start)) * across)
     row = np.rint((dy + dvy * (now - start)) * along)
     for image_y in range(-images_y, images_y + 1):

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.tables import LABEL, LEVEL, SPECIES, T0, VX, Tables, X
+from gasbox.kernels.hall import Hall
 
 __all__ = ["sort_rows"]
 
@@ -18,7 +19,7 @@ def _spread(value: NDArray[np.uint64]) -> NDArray[np.uint64]:
     return value
 
 
-def sort_rows(tables: Tables, box: Box, now: float) -> None:
+def sort_rows(tables: Tables, box: Box, hall: Hall | None, now: float) -> None:
     """Sort the rows along a Z-shaped curve through the box, by the places at time `now` (since the epoch's start).
 
     Links between rows become invalid: a rebuild must follow.
@@ -26,7 +27,10 @@ def sort_rows(tables: Tables, box: Box, now: float) -> None:
     Source: G. M. Morton, A computer oriented geodetic data base (IBM, 1966).
     """
     flight = tables.flight
-    place = flight[:, X : X + 2] + flight[:, VX : VX + 2] * (now - flight[:, T0 : T0 + 1])
+    elapsed = now - flight[:, T0 : T0 + 1]
+    place = flight[:, X : X + 2] + flight[:, VX : VX + 2] * elapsed
+    if hall is not None:
+        place += 0.5 * elapsed**2 * (hall.gx, hall.gy)
     unit = place / (box.width, box.height)
     unit -= np.floor(unit) * (box.periodic_x, box.periodic_y)
     whole = (np.clip(unit, 0.0, 1.0) * 65535).astype(np.uint64)

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import math
 
-from gasbox.jit import inlined_kernel
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import bare_kernel, inlined_kernel
+from gasbox.kernels.hall.roots import first_fall
 from gasbox.kernels.hall.tables import (
     AMPLITUDE,
+    LOWER,
+    MASS,
     MOTION,
     OMEGA,
     PHASE,
@@ -15,11 +21,13 @@ from gasbox.kernels.hall.tables import (
     S_SPEED,
     S_TIME,
     SMOOTH,
+    UNTIL,
+    UPPER,
     WAVE,
     Hall,
 )
 
-__all__ = ["displacement", "push", "speed"]
+__all__ = ["displacement", "next_turn", "push", "shift_walls", "show_walls", "speed"]
 
 
 @inlined_kernel
@@ -62,3 +70,41 @@ def push(hall: Hall, number: int, time: float) -> float:
         angle = omega * time + hall.wall[number, PHASE]
         return -hall.wall[number, AMPLITUDE] * omega * omega * math.sin(angle)
     return 0.0
+
+
+@bare_kernel
+def next_turn(hall: Hall) -> float:
+    """When the first wall comes to the end of a piece of its motion, or a piston to a stop; infinity if never."""
+    turn = math.inf
+    for number in range(hall.wall.shape[0]):
+        if hall.rule[number, MOTION] != SMOOTH:
+            continue
+        turn = min(turn, hall.wall[number, UNTIL])
+        if hall.wall[number, MASS] > 0.0:
+            begin, place = hall.wall[number, S_TIME], hall.wall[number, S_PLACE]
+            rate, push = hall.wall[number, S_SPEED], hall.wall[number, S_PUSH]
+            low, high = hall.wall[number, LOWER], hall.wall[number, UPPER]
+            if low > -math.inf:
+                turn = min(turn, begin + first_fall(place - low, rate, push, math.inf, 0.0))
+            if high < math.inf:
+                turn = min(turn, begin + first_fall(high - place, -rate, -push, math.inf, 0.0))
+    return turn
+
+
+@bare_kernel
+def show_walls(hall: Hall, time: float, place: NDArray[np.float64], rate: NDArray[np.float64]) -> None:
+    """Write displacements and speeds (walls,) of all walls at `time`."""
+    for number in range(hall.wall.shape[0]):
+        place[number] = displacement(hall, number, time)
+        rate[number] = speed(hall, number, time)
+
+
+@bare_kernel
+def shift_walls(hall: Hall, end: float) -> None:
+    """Move the references of all walls to the end of the epoch, which is time zero of the next one."""
+    for number in range(hall.wall.shape[0]):
+        if hall.rule[number, MOTION] == SMOOTH:
+            place, rate = displacement(hall, number, end), speed(hall, number, end)
+            hall.wall[number, S_TIME], hall.wall[number, S_PLACE] = 0.0, place
+            hall.wall[number, S_SPEED] = rate
+            hall.wall[number, UNTIL] -= end

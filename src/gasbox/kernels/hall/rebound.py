@@ -19,11 +19,13 @@ from gasbox.kernels.hall.tables import (
     MOTION,
     NX,
     NY,
+    PUSH,
     PX,
     PY,
     REST,
     RIM,
     S_PLACE,
+    S_PUSH,
     S_SPEED,
     S_TIME,
     SIDE,
@@ -171,5 +173,5 @@ def _push_piston(
     result[4] = 0.0
     place = displacement(hall, number, time)
     hall.wall[number, S_TIME], hall.wall[number, S_PLACE] = time, place
-    hall.wall[number, S_SPEED] = wu * along
+    hall.wall[number, S_SPEED], hall.wall[number, S_PUSH] = wu * along, hall.wall[number, PUSH]
     return True

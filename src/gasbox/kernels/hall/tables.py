@@ -22,7 +22,7 @@ SIDE, CORNER, RIM = (int(kind) for kind in (ElementKind.SIDE, ElementKind.CORNER
 # at time zero of a sinusoid; end of the present piece; temperature (below zero: none); mass of a piston, its
 # acceleration when it is free, its stops; speeds that pass.
 S_TIME, S_PLACE, S_SPEED, S_PUSH, AMPLITUDE, OMEGA, PHASE, UNTIL = range(8)
-TEMPERATURE, MASS, FORCE, LOWER, UPPER, LEAST, GREATEST = range(8, 15)
+TEMPERATURE, MASS, PUSH, LOWER, UPPER, LEAST, GREATEST = range(8, 15)
 # Columns of `rule`: kind of motion, whether it is open, direction that passes (+1, -1, 0 for both), whether overlaps
 # with it are let be (a wall that some pass, or that came while discs stood in its place).
 MOTION, OPEN, DIRECTION, SOFT = range(4)
@@ -41,6 +41,7 @@ class Hall(NamedTuple):
     first, near, image : the elements at rest near each cell, see `gasbox.kernels.hall.near`
     moving : (m,) int32, elements of walls that move
     seed : (2,) int64, halves of the scenario's seed
+    result : (6,) float64, room for what `rebound` finds
     """
 
     gx: float
@@ -55,6 +56,7 @@ class Hall(NamedTuple):
     image: NDArray[np.int8]
     moving: NDArray[np.int32]
     seed: NDArray[np.int64]
+    result: NDArray[np.float64]
 
 
 def hall(enclosure: Enclosure, species: int, seed: int, soft: frozenset[str] = frozenset()) -> Hall:
@@ -100,6 +102,7 @@ def hall(enclosure: Enclosure, species: int, seed: int, soft: frozenset[str] = f
         np.zeros((0, 2), np.int8),
         np.flatnonzero(moves).astype(np.int32),
         np.array([seed & 0xFFFFFFFF, seed >> 32], np.int64),
+        np.zeros(6),
     )
 
 
@@ -127,8 +130,9 @@ def _equip_piston(enclosure: Enclosure, number: int, wall: NDArray[np.float64]) 
     nx, ny = enclosure.normal(number)
     is_side = isinstance(enclosure.container, Rectangle) and number < len(Rectangle.WALLS)
     inwards = 1.0 if is_side and number % 2 == 0 else -1.0
-    wall[FORCE] = inwards * motion.pressure * enclosure.length(number)
-    wall[S_PUSH] = wall[FORCE] / motion.mass + enclosure.gravity[0] * nx + enclosure.gravity[1] * ny
+    force = inwards * motion.pressure * enclosure.length(number)
+    wall[PUSH] = force / motion.mass + enclosure.gravity[0] * nx + enclosure.gravity[1] * ny
+    wall[S_PUSH] = wall[PUSH]
     wall[LOWER], wall[UPPER] = motion.lower, motion.upper
     if is_side:
         size = enclosure.width if number < 2 else enclosure.height
