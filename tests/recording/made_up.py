@@ -42,6 +42,11 @@ def frame(number: int, count: int, seed: int = 1) -> Frame:
         generator.integers(0, 2**62, (2, 2)),
         np.abs(generator.normal(size=(4, 2))),
         generator.integers(0, 2**62, (4, 2)),
+        generator.normal(size=(4, 2)),
+        generator.normal(size=(4, 2)),
+        generator.integers(0, 2**62, (4, 2, 2)),
+        np.abs(generator.normal(size=(4, 2))),
+        generator.normal(size=1),
     )
     memory = {
         "epoch": int(generator.integers(-(2**62), 2**62)),

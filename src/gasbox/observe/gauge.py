@@ -52,14 +52,14 @@ class WallGauge:
         self._geometry = geometry
         self._radii = np.asarray(radii, np.float64)
         self._since = since
-        self._before: tuple[State, Tallies] | None = None
+        self._before: tuple[float, NDArray[np.float64], Tallies] | None = None
         self._times: list[float] = []
         self._windows: list[tuple[float, NDArray[np.float64], NDArray[np.float64]]] = []
 
     def start(self, state: State, tallies: Tallies) -> None:
         """Forget all windows."""
         self._times, self._windows = [], []
-        self._before = state.copy(), tallies.copy()
+        self._before = state.time, state.wall_displacement.copy(), tallies.copy()
 
     def changed(self, state: State, geometry: Geometry) -> None:
         """From now on the gas is in another geometry."""
@@ -70,11 +70,12 @@ class WallGauge:
 
     def observe(self, state: State, tallies: Tallies) -> None:
         """Add the window since the frame before."""
-        before, self._before = self._before, (state.copy(), tallies.copy())
-        if before is None or before[0].time < self._since or state.time <= before[0].time:
+        before = self._before
+        self._before = state.time, state.wall_displacement.copy(), tallies.copy()
+        if before is None or before[0] < self._since or state.time <= before[0]:
             return
-        window, change = state.time - before[0].time, tallies - before[1]
-        mid = between(self._geometry, before[0], state)
+        window, change = state.time - before[0], tallies - before[2]
+        mid = between(self._geometry, before[1], state.wall_displacement)
         self._times.append(state.time)
         self._windows.append(
             (

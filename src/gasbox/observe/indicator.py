@@ -59,7 +59,7 @@ class Indicator:
         # The gas is on the front of the left and bottom side, and behind the other two.
         self._outwards = 1.0 if wall % 2 else -1.0
         self._rows: list[tuple[float, ...]] = []
-        self._before: tuple[State, Tallies] | None = None
+        self._before: tuple[NDArray[np.float64], Tallies] | None = None
         self._start: Tallies | None = None
 
     def start(self, state: State, tallies: Tallies) -> None:
@@ -86,14 +86,15 @@ class Indicator:
         integral = 0.0
         if self._before is not None:
             earlier, before = self._before
-            last, change, window = self._rows[-1], tallies - before, state.time - earlier.time
-            mean = between(self._geometry, earlier, state)
+            last = self._rows[-1]
+            change, window = tallies - before, state.time - last[0]
+            mean = between(self._geometry, earlier, state.wall_displacement)
             pressure = float(wall_pressures(change, mean, self._radii, window)[self._wall])
             force = float(np.sum(change.wall_impulse[self._wall])) / window
             mid = 0.5 * (last[1] + area)
             integral = last[6] - force * self._outwards * (place - last[2])
         self._rows.append((state.time, area, place, pressure, mid, work, integral))
-        self._before = state.copy(), tallies.copy()
+        self._before = state.wall_displacement.copy(), tallies.copy()
 
     def series(self) -> IndicatorSeries:
         """Everything so far."""

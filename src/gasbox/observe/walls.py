@@ -28,10 +28,9 @@ __all__ = [
 ]
 
 
-def between(geometry: Geometry, earlier: State, later: State) -> Geometry:
-    """The geometry with its walls half-way between where they are in two states."""
-    first, second = earlier.wall_displacement, later.wall_displacement
-    return geometry.at(0.5 * (first + second) if first.shape == second.shape else second)
+def between(geometry: Geometry, earlier: NDArray[np.float64], later: NDArray[np.float64]) -> Geometry:
+    """The geometry with its walls half-way between two displacements (walls,) [length], which may be empty."""
+    return geometry.at(0.5 * (earlier + later) if earlier.shape == later.shape else later)
 
 
 class MeanDisplacement:

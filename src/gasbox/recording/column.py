@@ -67,6 +67,16 @@ class Column:
             raise ValueError(f"{self.dataset.name}: a row {found} does not fit the first one, {expected}")
         self._rows.append(array)
 
+    def append_nothing(self) -> None:
+        """One more row, that only holds the fill value."""
+        shape = self.dataset.shape[1:]
+        self.append(np.full((0, *shape[1:]) if shape else (), self._fill, self.dataset.dtype))
+
+    def skip(self, rows: int) -> None:
+        """Begin after so many rows that only hold the fill value; before anything is appended."""
+        self.dataset.resize((rows, *self.dataset.shape[1:]))
+        self._written = rows
+
     def write(self) -> None:
         """Append all waiting rows to the file; if it is broken off, the next call does it again."""
         if not self._rows:

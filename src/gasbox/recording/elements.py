@@ -19,10 +19,13 @@ class Elements:
     Parameters
     ----------
     file : where the groups are made
+    optional : beginnings of the paths of arrays that need not be in each sample
     """
 
-    def __init__(self, file: h5py.File) -> None:
+    def __init__(self, file: h5py.File, optional: tuple[str, ...] = ()) -> None:
         self._file = file
+        self._optional = optional
+        self._taken = 0
         self._step: Column | None = None
         self._time: Column | None = None
         self._values: dict[str, Column] = {}
@@ -49,7 +52,7 @@ class Elements:
 
         Parameters
         ----------
-        values : path of the element -> its value; the same paths each time
+        values : path of the element -> its value; the same paths each time, but for optional ones
         fills : path -> what stands where a row is shorter than others; 0 where nothing is said
         units : path -> unit, for readers
 
@@ -58,15 +61,22 @@ class Elements:
         ValueError
             Other paths, shapes or types than those of the first sample.
         """
-        if not self._values:
-            for path, value in values.items():
+        different = values.keys() ^ self._values.keys()
+        wrong = [path for path in different if self._taken and not path.startswith(self._optional)]
+        if wrong:
+            raise ValueError(f"not in every frame: {', '.join(sorted(wrong))}")
+        for path, value in values.items():
+            if path not in self._values:
                 self._make(path, value, fills.get(path, 0), units.get(path, ""))
-        if values.keys() != self._values.keys():
-            raise ValueError(f"not in every frame: {', '.join(sorted(values.keys() ^ self._values.keys()))}")
+                self._values[path].skip(self._taken)
         assert self._step is not None
         assert self._time is not None
-        for path, value in values.items():
-            self._values[path].append(value)
+        for path, column in self._values.items():
+            if path in values:
+                column.append(values[path])
+            else:
+                column.append_nothing()
+        self._taken += 1
         self._step.append(np.int64(step))
         self._time.append(np.float64(time))
 

@@ -47,5 +47,4 @@ def _origin(file: h5py.File, scenario: Scenario) -> None:
     own.attrs["scenario_hash"] = scenario.hash()
     own.attrs["species"] = json.dumps([species.name for species in scenario.species])
     own.create_dataset("scenario", data=scenario.to_json(), dtype=h5py.string_dtype())
-    # One JSON text for each change made from outside while the gas ran; nothing changes it yet.
-    own.create_dataset("changes", shape=(0,), maxshape=(None,), dtype=h5py.string_dtype())
+    file.create_dataset(places.CHANGES, shape=(0,), maxshape=(None,), dtype=h5py.string_dtype())

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from gasbox import observe
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry, Rectangle
 from gasbox.scenario import Scenario
 from gasbox.state import Frame, Tallies
 
@@ -22,12 +22,19 @@ class Measurements:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        self._geometry: Rectangle = scenario.geometry()
+        self._geometry = scenario.geometry()
+        self._plain = isinstance(self._geometry, Rectangle) and not scenario.schedule
         self._radii = np.array([species.radius for species in scenario.species])
-        self._before: tuple[float, Tallies] | None = None
+        self._before: tuple[float, NDArray[np.float64], Tallies] | None = None
 
-    def of(self, frame: Frame) -> dict[str, ArrayLike | None]:
-        """Name -> number or array; None where there is no value, as for a pressure at the first frame."""
+    def of(self, frame: Frame, geometry: Geometry | None = None) -> dict[str, ArrayLike | None]:
+        """Name -> number or array; None where there is no value, as for a pressure at the first frame.
+
+        Parameters
+        ----------
+        geometry : what the gas is in now, where that may have changed
+        """
+        self._geometry = self._geometry if geometry is None else geometry
         state, geometry = frame.state, self._geometry
         numbers: dict[str, ArrayLike | None] = {
             "energy": observe.kinetic_energy(state),
@@ -42,21 +49,31 @@ class Measurements:
             "collisions": int(frame.tallies.pair_collisions.sum()),
             "wall_collisions": int(frame.tallies.wall_collisions.sum()),
         }
+        if not self._plain:
+            here = geometry.at(state.wall_displacement)
+            numbers |= {"potential_energy": observe.potential_energy(state, geometry), "area": here.area}
         return {**numbers, **self._pressures(frame)}
 
     def _by_species(self, values: list[float | None]) -> ArrayLike:
         return np.array([np.nan if value is None else value for value in values])
 
-    def _pressures(self, frame: Frame) -> dict[str, float | None]:
-        before, self._before = self._before, (frame.state.time, frame.tallies.copy())
+    def _pressures(self, frame: Frame) -> dict[str, ArrayLike | None]:
+        state, before = frame.state, self._before
+        self._before = state.time, state.wall_displacement.copy(), frame.tallies.copy()
+        walls: NDArray[np.float64] = np.full(len(self._geometry.wall_names), np.nan)
         if before is None:
-            return {"pressure": None, "pressure_virial": None}
-        change, duration = frame.tallies - before[1], frame.state.time - before[0]
-        counts = np.bincount(frame.state.species, minlength=self._radii.size)
-        temperature = observe.temperature(frame.state, self._geometry)
+            each = {} if self._plain else {"wall_pressure": walls}
+            return {"pressure": None, "pressure_virial": None, **each}
+        change, duration = frame.tallies - before[2], state.time - before[0]
+        geometry = observe.between(self._geometry, before[1], state.wall_displacement)
+        counts = np.bincount(state.species, minlength=self._radii.size)
+        temperature = observe.temperature(state, self._geometry)
+        if not self._plain:
+            walls = observe.wall_pressures(change, geometry, self._radii, duration)
         return {
-            "pressure": observe.wall_pressure(change, self._geometry, self._radii, duration),
+            "pressure": observe.wall_pressure(change, geometry, self._radii, duration),
             "pressure_virial": observe.virial_pressure(
-                change, self._geometry, self._radii, counts, temperature=temperature, duration=duration
+                change, geometry, self._radii, counts, temperature=temperature, duration=duration
             ),
+            **({} if self._plain else {"wall_pressure": walls}),
         }

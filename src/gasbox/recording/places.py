@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Final
 
 __all__ = [
+    "CHANGES",
     "EVERY_FRAME",
     "FORMAT",
     "H5MD_VERSION",
@@ -20,6 +21,8 @@ __all__ = [
     "PARTICLES",
     "ROSTER",
     "TALLIES",
+    "WALLS",
+    "WALL_FIELDS",
 ]
 
 FORMAT: Final = "gasbox-recording/1"
@@ -35,10 +38,18 @@ MEMORY: Final = f"{OWN}/memory"
 LENGTHS: Final = f"{OWN}/memory_lengths"
 """How many entries of a remembered array are valid in each frame; those behind are padding."""
 
+WALL_FIELDS: Final = {"displacement": "wall_displacement", "velocity": "wall_velocity"}
+"""Elements of `WALLS` -> fields of the state."""
+
 EVERY_FRAME: Final = ("position", "velocity")
 """Particle fields with a row for each frame."""
 ROSTER: Final = ("id", "species", "mass", "radius")
 """Particle fields with a new row only when one of them changes; a row holds until the next."""
+
+CHANGES: Final = f"{OWN}/changes"
+"""One JSON text for each change of gravity or of a wall while the gas ran, as entries of a scenario's schedule."""
+WALLS: Final = f"{OWN}/walls"
+"""Where walls are, each frame: displacement and velocity of each wall; not-a-number while none has moved yet."""
 
 NO_PARTICLE: Final = -1
 """Fill value of `id`: this place is empty, since fewer particles were there than at another time."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Final
@@ -18,13 +18,24 @@ from gasbox.recording.complaints import refuse_foreign, refuse_full_disk, writin
 from gasbox.recording.elements import Elements
 from gasbox.recording.header import write_header
 from gasbox.scenario import Scenario
-from gasbox.state import FIELDS, Frame, State
+from gasbox.scenario.schedule import ScheduledChange
+from gasbox.state import FIELDS, Change, Frame, State
+from gasbox.units import UNIT
 
 __all__ = ["Recorder"]
 
 _WAITING_BYTES: Final = 2**26
-_UNITS: Final = {f"{places.PARTICLES}/{field.name}": field.unit for field in FIELDS}
-_FILLS: Final[dict[str, float]] = {f"{places.PARTICLES}/id": places.NO_PARTICLE}
+_UNITS: Final = {
+    **{f"{places.PARTICLES}/{field.name}": field.unit for field in FIELDS},
+    f"{places.WALLS}/displacement": UNIT["position"],
+    f"{places.WALLS}/velocity": UNIT["velocity"],
+}
+_FILLS: Final[dict[str, float]] = {
+    f"{places.PARTICLES}/id": places.NO_PARTICLE,
+    **{f"{places.WALLS}/{name}": math.nan for name in places.WALL_FIELDS},
+}
+_OPTIONAL: Final = (f"{places.MEMORY}/", f"{places.LENGTHS}/", f"{places.WALLS}/")
+"""What a gas may come to remember only later, as when a wall is first moved."""
 
 
 class Recorder:
@@ -66,7 +77,8 @@ class Recorder:
             write_header(self._file, scenario)
             self._file.flush()
         self._rosters = Elements(self._file)
-        self._samples = Elements(self._file)
+        self._samples = Elements(self._file, _OPTIONAL)
+        self._changes: list[str] = []
 
     def write(self, frame: Frame, observables: Mapping[str, ArrayLike | None] | None = None) -> None:
         """Take a copy of one frame, and of numbers measured at it.
@@ -87,6 +99,17 @@ class Recorder:
             self._take(frame, observables or {})
             if self._is_due():
                 self._flush()
+
+    def log(self, changes: Sequence[tuple[float, Change]]) -> None:
+        """Take the changes made while the gas ran, (time, change) each; those that were taken before are skipped.
+
+        Parameters
+        ----------
+        changes : all since the start of this run, as `Simulation.changes` has them
+        """
+        for moment, change in changes[len(self._changes) :]:
+            entry = ScheduledChange.of(moment, change)
+            self._changes.append(entry.model_dump_json(exclude_none=True))
 
     def flush(self) -> None:
         """Bring everything that was taken into the file."""
@@ -118,7 +141,9 @@ class Recorder:
             self._roster = state.copy()
             values = {f"{places.PARTICLES}/{name}": getattr(state, name) for name in places.ROSTER}
             self._rosters.append(number, state.time, values, _FILLS, _UNITS)
-        self._samples.append(number, state.time, _sample(frame, observables), {}, _UNITS)
+        sample = _sample(frame, observables)
+        lengths = {path: -1.0 for path in sample if path.startswith(places.LENGTHS)}
+        self._samples.append(number, state.time, sample, {**_FILLS, **lengths}, _UNITS)
         self._last_number = number
         self.frames += 1
 
@@ -137,10 +162,18 @@ class Recorder:
             # First and apart, so that a run killed meanwhile leaves no frame without its roster.
             self._rosters.write()
             self._file.flush()
+        self._write_changes()
         self._samples.write()
         self._file.flush()
         self._flushed_at = time.monotonic()
         self._failed = False
+
+    def _write_changes(self) -> None:
+        texts = self._file[places.CHANGES]
+        written = texts.shape[0]
+        if len(self._changes) > written:
+            texts.resize((len(self._changes),))
+            texts[written:] = self._changes[written:]
 
 
 def _is_same_roster(first: State, second: State) -> bool:
@@ -150,6 +183,9 @@ def _is_same_roster(first: State, second: State) -> bool:
 def _sample(frame: Frame, observables: Mapping[str, ArrayLike | None]) -> dict[str, Any]:
     """Path -> value of everything that has a row for each frame."""
     values = {f"{places.PARTICLES}/{name}": getattr(frame.state, name) for name in places.EVERY_FRAME}
+    if frame.state.wall_displacement.size:
+        for name, field in places.WALL_FIELDS.items():
+            values[f"{places.WALLS}/{name}"] = getattr(frame.state, field)
     for name, tally in vars(frame.tallies).items():
         values[f"{places.TALLIES}/{name}"] = tally
     for name, remembered in frame.memory.items():

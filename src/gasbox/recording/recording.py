@@ -11,10 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.errors import FileError, ScenarioError
+from gasbox.geometry import Geometry
 from gasbox.recording import places
 from gasbox.recording.complaints import is_hdf5, reading
+from gasbox.recording.surroundings import geometry_after
 from gasbox.scenario import Particles, Scenario, parse
-from gasbox.state import Frame, State, Tallies
+from gasbox.scenario.schedule import ScheduledChange
+from gasbox.state import Change, Frame, State, Tallies
 
 __all__ = ["Recording", "open_recording"]
 
@@ -67,7 +70,7 @@ class Recording:
         row = self._row(index)
         with reading(self.path):
             number, time = int(self.numbers[row]), float(self.times[row])
-            tallies = Tallies(**self._values(places.TALLIES, row))
+            tallies = self._tallies(row)
             return Frame(number, self._state(row, number, time), tallies, self._memory(row))
 
     def observables(self) -> dict[str, NDArray[np.float64]]:
@@ -82,17 +85,18 @@ class Recording:
         Raises
         ------
         FileError
-            There is no such frame, it cannot be read, or particles came or went before it.
+            There is no such frame, or it cannot be read.
         """
         frame = self.read(index)
         state = frame.state
-        if not np.array_equal(state.id, np.arange(state.count)):
-            raise FileError(f"{self.path}: frame {index} cannot be resumed: particles came or went before it")
         with reading(self.path):
             names = [species.name for species in self.scenario.species]
             species = [names[number] for number in state.species]
             tallies = {name: sums.tolist() for name, sums in vars(frame.tallies).items()}
-            memory = {"memory": frame.memory, "tallies": tallies}
+            memory: dict[str, Any] = {"memory": frame.memory, "tallies": tallies}
+            if not np.array_equal(state.id, np.arange(state.count)):
+                # Some have left; the others keep their numbers.
+                memory["ids"] = state.id.tolist()
             return parse(
                 {
                     **self.scenario.model_copy(update={"particles": None, "snapshot": None}).to_dict(),
@@ -101,6 +105,34 @@ class Recording:
                 },
                 source=f"frame {index} of {self.path}",
             )
+
+    @property
+    def changes(self) -> list[tuple[float, Change]]:
+        """Changes of gravity and walls made while the gas ran, (time, change) each, in the order of time."""
+        with reading(self.path):
+            texts = [text.decode() for text in self._file[places.CHANGES][:]]
+        entries = [ScheduledChange.model_validate_json(text) for text in texts]
+        return [(entry.at, entry.change()) for entry in entries]
+
+    def geometry_at(self, index: int = -1) -> Geometry:
+        """What the gas was in at a frame, after all changes until then, its moving walls not displaced.
+
+        Raises
+        ------
+        FileError
+            There is no such frame, or it cannot be read.
+        """
+        return self._geometry_until(float(self.times[self._row(index)]))
+
+    def _geometry_until(self, time: float) -> Geometry:
+        planned = [(entry.at, entry.change()) for entry in self.scenario.schedule]
+        # What a schedule did may stand among the changes as well; twice is once.
+        known = sorted([*planned, *self.changes], key=lambda entry: entry[0])
+        geometry = self.scenario.geometry()
+        for moment, change in known:
+            if moment <= time:
+                geometry = geometry_after(geometry, moment, change)
+        return geometry
 
     def close(self) -> None:
         """Close the file."""
@@ -137,7 +169,7 @@ class Recording:
         """All elements that have a row for each frame."""
         particles = self._file[places.PARTICLES]
         found = [particles[name] for name in places.EVERY_FRAME if name in particles]
-        for path in (places.TALLIES, places.MEMORY, places.LENGTHS, places.OBSERVABLES):
+        for path in (places.TALLIES, places.MEMORY, places.LENGTHS, places.WALLS, places.OBSERVABLES):
             found += self._file.get(path, {}).values()
         return found
 
@@ -158,7 +190,19 @@ class Recording:
         roster = {name: group[name]["value"][held][there] for name in places.ROSTER}
         count = int(np.count_nonzero(there))
         vectors = {name: group[name]["value"][row, :count] for name in places.EVERY_FRAME}
-        return State(time=time, **roster, **vectors)
+        state = State(time=time, **roster, **vectors)
+        for name, field in places.WALL_FIELDS.items():
+            found = self._values(places.WALLS, row).get(name)
+            # Before the first wall has moved there is nothing.
+            if found is not None and not np.isnan(found).any():
+                setattr(state, field, found)
+        return state
+
+    def _tallies(self, row: int) -> Tallies:
+        """Sums that a recording of version 0.1 does not have yet are zero."""
+        found = self._values(places.TALLIES, row)
+        walls, species = found["wall_impulse"].shape
+        return Tallies(**{**vars(Tallies.zero(species, walls)), **found})
 
     def _values(self, group: str, row: int) -> dict[str, Any]:
         return {name: element["value"][row] for name, element in self._file.get(group, {}).items()}
@@ -169,4 +213,5 @@ class Recording:
         return {
             name: value[: lengths[name]] if name in lengths else value.item()
             for name, value in self._values(places.MEMORY, row).items()
+            if lengths.get(name, 0) >= 0
         }
