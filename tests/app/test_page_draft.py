@@ -4,7 +4,7 @@ import pytest
 
 from gasbox.app.draft import Draft
 from gasbox.errors import ScenarioError
-from gasbox.scenario import load, parse, shipped
+from gasbox.scenario import Scenario, load, parse, shipped
 from gasbox.simulation import Simulation
 
 pytestmark = pytest.mark.small
@@ -21,7 +21,8 @@ def test_edits_reach_the_scenario() -> None:
     draft.species[1].count = "12"
     draft.species[1].radius = " 0.75 "
     draft.species[2].start, draft.species[2].warmth = "speed", "0.3"
-    draft.seed, draft.kind, draft.time_step, draft.periodic_y = "99", "stepped", "0.5", True
+    draft.seed, draft.kind, draft.time_step = "99", "stepped", "0.5"
+    draft.container.periodic_y = True
     scenario = parse(draft.to_dict())
     assert scenario.species[1].count == 12
     assert scenario.species[1].radius == 0.75
@@ -37,7 +38,7 @@ def test_what_makes_no_sense_is_reported_with_its_path_and_as_typed() -> None:
     draft.species[0].mass = "heavy"
     draft.species[1].radius = "-1"
     draft.species[2].count = ""
-    draft.width = "NaN"
+    draft.container.width = "NaN"
     with pytest.raises(ScenarioError) as caught:
         parse(draft.to_dict())
     found = {problem.path: problem.found for problem in caught.value.problems}
@@ -72,3 +73,46 @@ def test_listed_velocities_are_kept_until_another_start_is_chosen() -> None:
     chosen = dataclasses.replace(draft.species[0], start="temperature", warmth="0.2").to_dict()
     assert "velocities" not in chosen
     assert chosen["temperature"] == 0.2
+
+
+def surrounded(**changes: object) -> Scenario:
+    return parse(
+        {
+            "format": "gasbox-scenario/1",
+            "container": {"shape": "rectangle", "width": 40, "height": 30},
+            "species": [{"name": "a", "radius": 0.5, "count": 20, "temperature": 1}],
+            "dynamics": {"kind": "event-driven"},
+            **changes,
+        }
+    )
+
+
+@pytest.mark.parametrize(
+    "container",
+    [
+        {"shape": "rectangle", "width": 40.0, "height": 30.0, "periodic": ["x"]},
+        {"shape": "circle", "radius": 20.0},
+        {"shape": "polygon", "vertices": [[0.0, 0.0], [40.0, 0.0], [20.0, 30.0]]},
+        {"shape": "regular-polygon", "sides": 5, "radius": 20.0, "rotation": 0.5},
+    ],
+)
+def test_surroundings_are_kept(container: dict[str, object]) -> None:
+    scenario = surrounded(
+        container=container,
+        gravity=[0.5, -0.25],
+        obstacles=[{"shape": "segment", "start": [15, 10], "end": [15, 20], "name": "divider"}],
+        schedule=[{"at": 3.0, "wall": "divider", "present": False}],
+    )
+    assert parse(Draft.of(scenario).to_dict()).hash() == scenario.hash()
+
+
+def test_another_shape_takes_the_size_of_the_box_and_leaves_the_walls_of_the_old_one() -> None:
+    scenario = surrounded(walls={"left": {"temperature": 2.0}})
+    draft = Draft.of(scenario)
+    assert parse(draft.to_dict()).walls["left"].temperature == 2.0
+    draft.container.shape = "circle"
+    draft.gravity_y = "−0.5"
+    changed = parse(draft.to_dict())
+    assert (changed.container.shape, changed.container.radius) == ("circle", 15.0)
+    assert changed.walls == {}
+    assert changed.gravity == (0.0, -0.5)

@@ -23,6 +23,8 @@ def test_each_key_means_one_thing() -> None:
         ("S", "save"),
         ("?", "keys"),
         ("Escape", "unfollow"),
+        ("g", "gravity"),
+        ("D", "divider"),
         ("x", None),
     ],
 )

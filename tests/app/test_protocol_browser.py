@@ -126,7 +126,13 @@ def test_the_table(page: Page) -> None:
 
 def test_the_table_of_other_surroundings(page: Page) -> None:
     triangle = Polygon(((0.0, 0.0), (8.0, 0.0), (0.0, 6.0)))
-    walls = (Wall("floor", temperature=2.0), Wall("slope", open=True), Wall("left"), Wall("door"), Wall("post"))
+    walls = (
+        Wall("floor", temperature=2.0),
+        Wall("slope", open=True),
+        Wall("left"),
+        Wall("door"),
+        Wall("post"),
+    )
     geometry = Enclosure(triangle, (Segment((1, 1), (1, 3)), Post((2, 2), 0.5)), walls, (0.0, -0.25))
     seen = page.evaluate(DECODE_TABLE, table(8, geometry, ["a"], [1.0], ["#ff0000"]))
     assert (seen["shape"], seen["width"], seen["height"], seen["gravity"]) == ("polygon", 8, 6, [0, -0.25])

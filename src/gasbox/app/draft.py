@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 from gasbox.scenario import Scenario, Species
 
-__all__ = ["Draft", "SpeciesDraft"]
+__all__ = ["ContainerDraft", "Draft", "SpeciesDraft"]
 
 _COLORS = ("#4c9be8", "#f2a33a", "#5cb85c", "#c86dd7", "#e0605e", "#3fb8af", "#9a8c5a", "#7d8bd8")
 
@@ -90,41 +90,91 @@ class SpeciesDraft:
 
 
 @dataclass
+class ContainerDraft:
+    """The container as typed. What belongs to another shape than the chosen one is kept, but not said.
+
+    Attributes
+    ----------
+    shape : rectangle, circle, regular-polygon, or polygon, whose vertices only a file can change
+    kept : what the panel does not show, as in the file
+    """
+
+    shape: str = "rectangle"
+    width: str = "100"
+    height: str = "100"
+    periodic_x: bool = False
+    periodic_y: bool = False
+    radius: str = "50"
+    sides: str = "6"
+    kept: dict[str, Any] = field(default_factory=dict)
+
+    SHOWN: ClassVar[dict[str, tuple[str, ...]]] = {
+        "rectangle": ("width", "height"),
+        "circle": ("radius",),
+        "regular-polygon": ("sides", "radius"),
+        "polygon": (),
+    }
+    """Fields of each shape."""
+
+    @classmethod
+    def of(cls, scenario: Scenario) -> ContainerDraft:
+        """As the scenario has it; sizes of other shapes are such that they would fit the same gas."""
+        given, box = scenario.to_dict()["container"], scenario.geometry()
+        size = {
+            "width": box.width,
+            "height": box.height,
+            "radius": min(box.width, box.height) / 2,
+            "sides": 6,
+        }
+        said = {key: _text(given.get(key, value)) for key, value in size.items()}
+        axes = given.get("periodic", ())
+        kept = {key: value for key, value in given.items() if key not in (*size, "shape", "periodic")}
+        return cls(given["shape"], periodic_x="x" in axes, periodic_y="y" in axes, kept=kept, **said)
+
+    def to_dict(self) -> dict[str, Any]:
+        """As it goes into a scenario."""
+        said = {key: _value(getattr(self, key)) for key in self.SHOWN[self.shape]}
+        if self.shape == "rectangle":
+            periodic = [axis for axis, on in (("x", self.periodic_x), ("y", self.periodic_y)) if on]
+            return {"shape": self.shape, **said, **({"periodic": periodic} if periodic else {})}
+        allowed = {"polygon": ("vertices",), "regular-polygon": ("rotation",)}.get(self.shape, ())
+        return {"shape": self.shape, **said, **{key: self.kept[key] for key in allowed if key in self.kept}}
+
+
+@dataclass
 class Draft:
     """The whole gas as typed; `rest` is what the panel does not show."""
 
     species: list[SpeciesDraft]
     seed: str
-    width: str
-    height: str
-    periodic_x: bool
-    periodic_y: bool
+    container: ContainerDraft
+    gravity_x: str
+    gravity_y: str
     kind: str
     time_step: str
     rest: dict[str, Any]
+    shape: str = "rectangle"
+    """Of the container in the box now."""
 
     @classmethod
     def of(cls, scenario: Scenario) -> Draft:
         """As the scenario has it. Of a snapshot, the start that it came from; its particles are left out."""
         given = scenario.to_dict()
-        rest = {
-            key: value
-            for key, value in given.items()
-            if key not in ("species", "seed", "container", "dynamics", "snapshot")
-        }
+        shown = ("species", "seed", "container", "gravity", "dynamics", "snapshot")
+        rest = {key: value for key, value in given.items() if key not in shown}
         if scenario.snapshot is not None:
             rest.pop("particles", None)
-        container, dynamics = scenario.container, scenario.dynamics
+        dynamics = scenario.dynamics
         return cls(
             [SpeciesDraft.of(one, of) for one, of in zip(scenario.species, given["species"], strict=True)],
             str(scenario.seed),
-            _text(container.width),
-            _text(container.height),
-            "x" in container.periodic,
-            "y" in container.periodic,
+            ContainerDraft.of(scenario),
+            _text(scenario.gravity[0]),
+            _text(scenario.gravity[1]),
             dynamics.kind,
             _text(getattr(dynamics, "time_step", 1.0)),
             rest,
+            scenario.container.shape,
         )
 
     def add_species(self) -> None:
@@ -143,20 +193,18 @@ class Draft:
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """The scenario as typed, still unchecked."""
-        periodic = [axis for axis, on in (("x", self.periodic_x), ("y", self.periodic_y)) if on]
+        """The scenario as typed, still unchecked. Walls go with the shape that they are sides of."""
         dynamics: dict[str, Any] = {"kind": self.kind}
         if self.kind == "stepped":
             dynamics["time_step"] = _value(self.time_step)
+        gravity = [_value(part) or 0.0 for part in (self.gravity_x, self.gravity_y)]
+        rest = {**self.rest, **({"gravity": gravity} if gravity != [0.0, 0.0] else {})}
+        if self.container.shape != self.shape:
+            rest.pop("walls", None)
         return {
-            **self.rest,
+            **rest,
             "seed": _value(self.seed),
-            "container": {
-                "shape": "rectangle",
-                "width": _value(self.width),
-                "height": _value(self.height),
-                **({"periodic": periodic} if periodic else {}),
-            },
+            "container": self.container.to_dict(),
             "species": [one.to_dict() for one in self.species],
             "dynamics": dynamics,
         }

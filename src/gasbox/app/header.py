@@ -25,6 +25,7 @@ class Actions:
     keys: Callable[[], Any]
     charts: Callable[[], Any]
     dark: Callable[[], Any]
+    surroundings: Callable[[], Any]
 
 
 _EXTERN = "*"
@@ -78,6 +79,7 @@ class Header:
         )
         edit.classes("only-wide").mark("edit").tooltip("Species, container, seed and dynamics  E")
         for icon, hint, action, marker in (
+            ("south", "Gravity and walls", actions.surroundings, "show-surroundings"),
             ("bar_chart", "Histograms on or off", actions.charts, "charts"),
             ("contrast", "Light or dark", actions.dark, "dark"),
             ("keyboard", "Keys  ?", actions.keys, "keys"),
@@ -97,6 +99,7 @@ class Header:
             self._save_items(files)
             ui.separator()
             ui.menu_item("Edit the gas", on_click=actions.edit)
+            ui.menu_item("Gravity and walls", on_click=actions.surroundings)
             ui.menu_item("Histograms on or off", on_click=actions.charts)
             ui.menu_item("Light or dark", on_click=actions.dark)
 

@@ -22,6 +22,7 @@ from gasbox.app.sample import Sample
 from gasbox.app.session import Session
 from gasbox.app.shortcuts import SHORTCUTS, action_of
 from gasbox.app.stage import Caption, Stage
+from gasbox.app.surroundings import Surroundings
 from gasbox.app.transport import Transport
 from gasbox.app.window import SlidingWindow
 from gasbox.observe import Histogram
@@ -70,7 +71,12 @@ class Page:
 
     def _build_bar(self) -> None:
         actions = Actions(
-            self.files, self.panel.toggle, self._keys.open, self.toggle_charts, self.toggle_dark
+            self.files,
+            self.panel.toggle,
+            self._keys.open,
+            self.toggle_charts,
+            self.toggle_dark,
+            lambda: self.surroundings.toggle(),
         )
         self.header = Header(self.session.scenario, actions)
 
@@ -81,6 +87,7 @@ class Page:
             with ui.element("div").classes("stage"):
                 self.caption = Caption(lambda: self.session.follow(None))
                 self.stage = Stage(self.session, self.session.follow)
+                self.surroundings = Surroundings(self.session)
                 self.transport = Transport(self.session)
                 self.readouts = Readouts()
             with ui.element("div").classes("charts"):
@@ -123,6 +130,7 @@ class Page:
         self.stage.settle()
         if sample.version != self._version:
             self._changed(sample)
+        self.surroundings.show(sample)
         self.transport.show_reached(sample.keeping_up or not sample.playing, sample.speed_reached)
         self.caption.follow(self.session.followed(), sample.scenario)
         if sample.state.count > _MANY:
@@ -196,6 +204,8 @@ class Page:
                 "faster": self.transport.faster,
                 "slower": self.transport.slower,
                 "edit": self.panel.toggle,
+                "gravity": self.surroundings.toggle_gravity,
+                "divider": self.surroundings.toggle_divider,
                 "unfollow": lambda: self.session.follow(None),
                 "keys": self._keys.open,
             }[action]()

@@ -17,12 +17,13 @@ from gasbox.scenario import Scenario
 __all__ = ["Panel"]
 
 _KINDS = {"event-driven": "event-driven (exact)", "stepped": "stepped (classroom rule)"}
+_SHAPES = {"rectangle": "rectangle", "circle": "circle", "regular-polygon": "regular polygon"}
 _SELECT = "dense outlined options-dense"
 _STARTS = {"temperature": "temperature", "speed": "one speed"}
 
 
 class Panel:
-    """A drawer with fields for the species, the container, the seed and the dynamics.
+    """A drawer with fields for the species, the container, gravity, the seed and the dynamics.
 
     Parameters
     ----------
@@ -147,18 +148,38 @@ class Panel:
         self._fields[f"{path}.temperature"] = self._fields[f"{path}.speed"] = value
 
     def _container_form(self, draft: Draft) -> None:
+        container = draft.container
         with ui.element("h3"):
             ui.label("Container")
+        shapes = _SHAPES if draft.shape != "polygon" else {**_SHAPES, "polygon": "polygon (as in the file)"}
+        shape = self._choice("container.shape", "shape", shapes, container, "shape")
+
+        def only(element: Any, *of: str) -> None:
+            element.bind_visibility_from(shape, "value", lambda value: value in of)
+
         with ui.element("div").classes("fields two"):
-            self._field("container.width", "width", draft, "width")
-            self._field("container.height", "height", draft, "height")
-        with ui.element("div").classes("line"):
+            for key in ("width", "height", "sides", "radius"):
+                box = self._field(f"container.{key}", key, container, key)
+                only(box, *(one for one, keys in container.SHOWN.items() if key in keys))
+        with ui.element("div").classes("line") as axes:
             for axis in ("x", "y"):
                 attribute = f"periodic_{axis}"
-                box = ui.checkbox(
-                    f"periodic in {axis}", value=getattr(draft, attribute), on_change=_into(draft, attribute)
+                check = ui.checkbox(
+                    f"periodic in {axis}",
+                    value=getattr(container, attribute),
+                    on_change=_into(container, attribute),
                 )
-                box.props("dense").mark(f"periodic-{axis}")
+                check.props("dense").mark(f"periodic-{axis}")
+        only(axes, "rectangle")
+        self._surroundings_form(draft)
+
+    def _surroundings_form(self, draft: Draft) -> None:
+        with ui.element("div").classes("fields two"):
+            self._field("gravity[0]", "gravity to the right", draft, "gravity_x")
+            self._field("gravity[1]", "gravity up", draft, "gravity_y")
+        kept = [f"{len(draft.rest[key])} {key}" for key in ("walls", "obstacles") if draft.rest.get(key)]
+        if kept:
+            ui.label(f"Kept as in the file: {', '.join(kept)} with properties of their own.").classes("hint")
 
     def _dynamics_form(self, draft: Draft) -> None:
         with ui.element("h3"):

@@ -30,6 +30,8 @@ SHORTCUTS: tuple[Shortcut, ...] = (
     Shortcut("open", ("o", "O"), ("O",), "open a file"),
     Shortcut("edit", ("e", "E"), ("E",), "edit the gas"),
     Shortcut("theory", ("t", "T"), ("T",), "theory curves on or off"),
+    Shortcut("gravity", ("g", "G"), ("G",), "gravity on or off"),
+    Shortcut("divider", ("d", "D"), ("D",), "take the first divider away, or put it back"),
     Shortcut("unfollow", ("Escape",), ("Esc",), "stop following a particle"),
     Shortcut("whole", (), ("0",), "see the whole box again (or double click)"),
     Shortcut("keys", ("?",), ("?",), "this list"),

@@ -161,6 +161,8 @@ function handle(context, { view, theme, grabbed }, { wall, x, y, across }) {
   const [thick, long] = GRIP.map((size) => size * view.ratio);
   const held = grabbed?.wall === wall.index;
   context.save();
+  context.globalAlpha = 1;
+  context.lineCap = "butt";
   context.translate(x, y);
   context.rotate(Math.atan2(across[1], across[0]));
   context.setLineDash([]);
