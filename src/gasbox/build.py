@@ -15,7 +15,7 @@ from gasbox.initial import Overlap, populate, separate, worst_overlap
 from gasbox.jit import mark_compiled
 from gasbox.protocols import Dynamics
 from gasbox.scenario import EventDriven, Scenario, Snapshot, Stepped, parse
-from gasbox.state import Contacts, Memory, State, Tallies
+from gasbox.state import Change, Contacts, Memory, State, Tallies
 
 __all__ = ["Parts", "build", "compile_kernels"]
 
@@ -32,6 +32,7 @@ class Parts:
     dynamics: Dynamics
     frame_interval: float
     warnings: tuple[str, ...]
+    changes: list[tuple[float, Change]]
 
 
 def build(scenario: Scenario, threads: int | None = None) -> Parts:
@@ -42,7 +43,11 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
     ScenarioError
         Particles that cannot be placed, or overlap where that is not allowed.
     """
-    geometry = scenario.geometry()
+    start = scenario.geometry()
+    changes = _changes(scenario)
+    geometry = start
+    for time, change in changes:
+        geometry = rules.altered(geometry, time, change, start)
     state = populate(scenario)
     warnings: list[str] = []
     memory = _memory(scenario)
@@ -51,7 +56,16 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
     dynamics = _dynamics(scenario, state, geometry, memory, threads)
     if isinstance(scenario.dynamics, Stepped):
         warnings += _tunnelling(state, scenario.dynamics.time_step)
-    return Parts(state, geometry, dynamics, _frame_interval(scenario, state, geometry), tuple(warnings))
+    return Parts(
+        state, geometry, dynamics, _frame_interval(scenario, state, geometry), tuple(warnings), changes
+    )
+
+
+def _changes(scenario: Scenario) -> list[tuple[float, Change]]:
+    """What was changed before the snapshot that the scenario is."""
+    if scenario.snapshot is None:
+        return []
+    return [(entry.at, entry.change()) for entry in scenario.snapshot.changes]
 
 
 def _memory(scenario: Scenario) -> Memory | None:
@@ -73,7 +87,9 @@ def _dynamics(
     contacts = Contacts.empty(0)
     match scenario.dynamics:
         case Stepped(time_step=time_step):
-            return rules.Stepped(state, geometry, time_step, tallies, contacts, memory, threads, scenario.seed)
+            return rules.Stepped(
+                state, geometry, time_step, tallies, contacts, memory, threads, scenario.seed
+            )
         case EventDriven():
             return rules.EventDriven(state, geometry, tallies, contacts, memory, scenario.seed)
 

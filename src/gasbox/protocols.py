@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import Protocol, runtime_checkable
 
+from gasbox.geometry import Geometry
 from gasbox.state import Contacts, Memory, State, Tallies
 
 __all__ = ["Dynamics", "Observer", "Status"]
@@ -42,6 +43,10 @@ class Dynamics(Protocol):
 
     def resync(self, state: State) -> None:
         """Take over `state` after somebody else has changed it."""
+        ...
+
+    def alter(self, state: State, geometry: Geometry) -> None:
+        """Take over another geometry at the time of the state; walls that move do so from where they are."""
         ...
 
     def memory(self) -> Memory:

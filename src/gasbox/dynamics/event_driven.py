@@ -93,7 +93,6 @@ class EventDriven:
         self.tallies = tallies
         self.contacts = contacts
         self._seed = seed
-        self._soft: frozenset[str] = frozenset()
         self._hall: Hall | None = None
         self._enter(geometry)
         if memory is None:
@@ -111,7 +110,7 @@ class EventDriven:
         self._geometry = geometry
         self._box = arguments.box(geometry)
         species = self.tallies.pair_collisions.shape[0]
-        self._bare = make_hall(geometry, species, self._seed, self._soft)
+        self._bare = make_hall(geometry, species, self._seed)
 
     def _set_walls(self, state: State, rows: NDArray[np.float64] | None = None) -> None:
         """Set walls in motion: as remembered, or at the time of the state, pistons where the state has them."""
@@ -126,14 +125,8 @@ class EventDriven:
                 state.wall_velocity = np.zeros(len(self._bare.wall))
             show_walls(self._bare, state.time - self._start, state.wall_displacement, state.wall_velocity)
 
-    def alter(self, state: State, geometry: Geometry, soft: frozenset[str] = frozenset()) -> None:
-        """Take over another geometry at the time of the state.
-
-        Parameters
-        ----------
-        soft : names of walls that were put where discs may stand: those that do are let go on
-        """
-        self._soft |= soft
+    def alter(self, state: State, geometry: Geometry) -> None:
+        """Take over another geometry at the time of the state; walls that move do so from where they are."""
         self._enter(geometry)
         self._set_walls(state)
         self.resync(state)

@@ -31,9 +31,9 @@ _HELD = 1e-9
 """A piston that meets its stop so slowly that it would not rise by this part of the box again is held there."""
 
 
-def make_hall(geometry: Geometry, species: int, seed: int, soft: frozenset[str]) -> Hall | None:
+def make_hall(geometry: Geometry, species: int, seed: int) -> Hall | None:
     """The tables of an enclosure; None for a plain rectangle."""
-    return hall(geometry, species, seed, soft) if isinstance(geometry, Enclosure) else None
+    return hall(geometry, species, seed) if isinstance(geometry, Enclosure) else None
 
 
 def start_walls(

@@ -107,6 +107,7 @@ class Wall:
     passes : who passes; None for nobody
     motion : displacement along its normal over time; None for a wall at rest
     present : whether it is there at all; one that is not lets everybody pass and counts nobody
+    soft : whether it came while discs may have stood in its place: who overlaps it is let go on
     """
 
     name: str
@@ -115,3 +116,4 @@ class Wall:
     passes: Passage | None = None
     motion: Motion | None = field(default=None)
     present: bool = True
+    soft: bool = False

@@ -27,7 +27,10 @@ def populate(scenario: Scenario) -> State:
     if scenario.particles is not None:
         species, position, velocity = scenario.particles.arrays(names)
     if scenario.snapshot is not None:
-        return _state(scenario, scenario.snapshot.time, species, position, velocity)
+        state = _state(scenario, scenario.snapshot.time, species, position, velocity)
+        if scenario.snapshot.ids is not None:
+            state.id = np.array(scenario.snapshot.ids, np.int64)
+        return state
     position = scenario.geometry().wrap(position)
     counts = [entry.count for entry in scenario.species]
     counted = np.repeat(np.arange(len(counts), dtype=np.int32), counts)

@@ -64,7 +64,7 @@ class CircleContainer(Section):
 
 
 class PolygonContainer(Section):
-    """The inside of a simple polygon, convex or not; its sides are called side-1 (from the first vertex), side-2, ..."""
+    """The inside of a simple polygon, convex or not; its sides are side-1 (from the first vertex), side-2, ..."""
 
     model_config = ConfigDict(json_schema_extra=_SHAPE_REQUIRED)
 
@@ -104,7 +104,15 @@ def _with_shape(value: Any) -> Any:
     return {"shape": "rectangle", **value} if isinstance(value, dict) else value
 
 
-SHAPES: Final = {
+SHAPES: Final[
+    dict[
+        str,
+        type[RectangleContainer]
+        | type[CircleContainer]
+        | type[PolygonContainer]
+        | type[RegularPolygonContainer],
+    ]
+] = {
     "rectangle": RectangleContainer,
     "circle": CircleContainer,
     "polygon": PolygonContainer,

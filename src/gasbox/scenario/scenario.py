@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, Final, Literal, TypeVar
 
 from pydantic import Field, ModelWrapValidatorHandler, Strict, ValidationError, model_validator
@@ -17,11 +18,13 @@ from gasbox.scenario.container import SHAPES, Container
 from gasbox.scenario.dynamics import Dynamics, EventDriven, Stepped
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.layout import layout
-from gasbox.scenario.obstacles import BlockObstacle, Obstacle, PostObstacle, SegmentObstacle
+from gasbox.scenario.motions import ConstantMotion, PathMotion, PistonMotion, SinusoidMotion
+from gasbox.scenario.obstacles import STANDING, Obstacle
 from gasbox.scenario.particles import Particles
+from gasbox.scenario.parts import Parts
 from gasbox.scenario.problems import KnownKeys, short, translate
 from gasbox.scenario.reserved import without_reserved
-from gasbox.scenario.rules import Parts, broken_rules
+from gasbox.scenario.rules import broken_rules
 from gasbox.scenario.schedule import ScheduledChange
 from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Region, Species
@@ -57,8 +60,8 @@ class Scenario(Section):
     """Seed of all random numbers."""
     container: Container
     """The box."""
-    walls: dict[str, WallSettings] = {}
-    """Properties of sides of the container, by name: left, right, bottom, top of a rectangle; rim; side-1, side-2, ..."""
+    walls: dict[str, WallSettings] = Field(default_factory=dict)
+    """Properties of sides of the container: left, right, bottom, top of a rectangle; rim; side-1, side-2, ..."""
     obstacles: Annotated[tuple[Obstacle, ...], Field(max_length=10_000)] = ()
     """What stands in the container."""
     gravity: Vector = (0.0, 0.0)
@@ -173,25 +176,49 @@ def _parts(data: dict[str, Any], scenario: Scenario | None, particles: Particles
             scenario.frame_interval,
             scenario.histograms,
             scenario.snapshot,
+            scenario.walls,
+            scenario.obstacles,
+            scenario.gravity,
+            scenario.schedule,
         )
-    species = data.get("species")
     dynamics = data.get("dynamics")
     kind = dynamics.get("kind") if isinstance(dynamics, dict) else None
     interval = data.get("frame_interval")
     return Parts(
-        _container(data.get("container")),
-        tuple(_one(Species, entry) for entry in species) if isinstance(species, list | tuple) else (),
+        _of_shape(SHAPES, data.get("container"), "rectangle"),
+        tuple(_one(Species, entry) for entry in _list(data.get("species"))),
         particles,
         _one(Stepped, dynamics) if kind == "stepped" else None,
         interval if isinstance(interval, float | int) and 0 < interval < float("inf") else None,
         _one(Histograms, data.get("histograms", {})),
         _one(Snapshot, data.get("snapshot")),
+        {str(name): _one(WallSettings, entry) for name, entry in _object(data.get("walls")).items()},
+        tuple(_of_shape(STANDING, entry) for entry in _list(data.get("obstacles"))),
+        _gravity(data.get("gravity", (0.0, 0.0))),
+        tuple(_one(ScheduledChange, entry) for entry in _list(data.get("schedule"))),
     )
 
 
-def _container(data: Any) -> Container | None:
-    shape = data.get("shape", "rectangle") if isinstance(data, dict) else None
-    return _one(SHAPES[shape], data) if isinstance(shape, str) and shape in SHAPES else None
+def _of_shape(
+    shapes: Mapping[str, type[_Section]], data: Any, usual: str | None = None
+) -> _Section | None:
+    if isinstance(data, tuple(shapes.values())):
+        return data
+    shape = data.get("shape", usual) if isinstance(data, dict) else None
+    return _one(shapes[shape], data) if isinstance(shape, str) and shape in shapes else None
+
+
+def _list(data: Any) -> Sequence[Any]:
+    return data if isinstance(data, list | tuple) else ()
+
+
+def _object(data: Any) -> Mapping[Any, Any]:
+    return data if isinstance(data, dict) else {}
+
+
+def _gravity(data: Any) -> tuple[float, float] | None:
+    change = _one(ScheduledChange, {"at": 0, "gravity": data})
+    return None if change is None else change.gravity
 
 
 def _one(section: type[_Section], data: Any) -> _Section | None:
@@ -212,14 +239,24 @@ def _keys(section: type[Section]) -> tuple[str, ...]:
     return tuple(field.alias or name for name, field in section.model_fields.items())
 
 
+_MOTION_KEYS: Final = tuple(
+    dict.fromkeys(
+        key
+        for kind in (ConstantMotion, PathMotion, SinusoidMotion, PistonMotion)
+        for key in _keys(kind)
+    )
+)
 _KNOWN: Final[KnownKeys] = {
     (): _keys(Scenario),
     ("container",): tuple(dict.fromkeys(key for shape in SHAPES.values() for key in _keys(shape))),
     ("walls",): _keys(WallSettings),
+    ("walls", "passes"): _keys(Passes),
+    ("walls", "motion"): _MOTION_KEYS,
     ("obstacles",): tuple(
-        dict.fromkeys(key for shape in (SegmentObstacle, BlockObstacle, PostObstacle) for key in _keys(shape))
+        dict.fromkeys(key for shape in STANDING.values() for key in _keys(shape))
     ),
     ("obstacles", "passes"): _keys(Passes),
+    ("obstacles", "motion"): _MOTION_KEYS,
     ("schedule",): _keys(ScheduledChange),
     ("species",): _keys(Species),
     ("species", "region"): _keys(Region),

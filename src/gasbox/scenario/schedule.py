@@ -29,6 +29,8 @@ class ScheduledChange(Section):
     """Move the wall there, along its normal from its place at the start [length]."""
     speed: Positive | None = None
     """Speed of that motion [length/time]."""
+    origin: Finite | None = None
+    """Where the wall was when it set out [length]: stands in snapshots and recordings."""
     free: bool | None = None
     """Let a piston that was moved go free again."""
 
@@ -38,7 +40,7 @@ class ScheduledChange(Section):
             return SetGravity(self.gravity)
         wall = self.wall or ""
         if self.displacement is not None:
-            return MoveWall(wall, self.displacement, self.speed or 1.0)
+            return MoveWall(wall, self.displacement, self.speed or 1.0, self.origin)
         return SetWall(wall, self.present, self.temperature, self.free)
 
     @classmethod
@@ -47,7 +49,7 @@ class ScheduledChange(Section):
         match change:
             case SetGravity(gravity=gravity):
                 return cls(at=time, gravity=gravity)
-            case MoveWall(wall=wall, displacement=displacement, speed=speed):
-                return cls(at=time, wall=wall, displacement=displacement, speed=speed)
+            case MoveWall(wall=wall, displacement=displacement, speed=speed, origin=origin):
+                return cls(at=time, wall=wall, displacement=displacement, speed=speed, origin=origin)
             case SetWall(wall=wall, present=present, temperature=temperature, free=free):
                 return cls(at=time, wall=wall, present=present, temperature=temperature, free=free)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from pydantic import field_validator, model_serializer
 
+from gasbox.scenario.schedule import ScheduledChange
 from gasbox.scenario.values import Finite, Section
 
 __all__ = ["Snapshot"]
@@ -23,6 +24,10 @@ class Snapshot(Section):
     """What the dynamics remembers beside the particles: numbers and arrays."""
     tallies: dict[str, Any]
     """Sums over all collisions since the start of the scenario: lists of numbers."""
+    ids: tuple[int, ...] | None = None
+    """Numbers of the particles, in ascending order; without them 0, 1, 2, ..."""
+    changes: tuple[ScheduledChange, ...] = ()
+    """What was changed so far: by the schedule, or by hand."""
 
     @field_validator("memory")
     @classmethod
@@ -39,7 +44,13 @@ class Snapshot(Section):
         memory = {
             name: entry.tolist() if hasattr(entry, "tolist") else entry for name, entry in self.memory.items()
         }
-        return {"version": self.version, "time": self.time, "memory": memory, "tallies": self.tallies}
+        said: dict[str, Any] = {"version": self.version, "time": self.time, "memory": memory}
+        said["tallies"] = self.tallies
+        if self.ids is not None:
+            said["ids"] = list(self.ids)
+        if self.changes:
+            said["changes"] = [change.model_dump(mode="json", exclude_none=True) for change in self.changes]
+        return said
 
     @model_serializer
     def _serialise(self) -> dict[str, Any]:

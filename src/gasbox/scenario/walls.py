@@ -46,7 +46,7 @@ class Surface(Section):
     """Properties of a wall. Without any it is slippery: a disc that hits it bounces elastically."""
 
     temperature: NotNegative | None = None
-    """Temperature of a thermal wall: discs leave it with the flux distribution of a gas of this temperature [energy]."""
+    """Temperature of a thermal wall: discs leave it with the flux distribution of a gas so warm [energy]."""
     open: bool = False
     """Whether discs that reach it leave the gas for good."""
     passes: Annotated[Passes | None, BeforeValidator(_written_out)] = None

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
 import time as clock
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from gasbox import observe
 from gasbox.build import build
+from gasbox.dynamics import altered
 from gasbox.errors import UsageError
 from gasbox.protocols import Observer, Status
-from gasbox.scenario import Scenario, Stepped, load
+from gasbox.scenario import Scenario, ScheduledChange, Stepped, load
 from gasbox.simulation import snapshot, summary
-from gasbox.state import Contacts, Frame
+from gasbox.state import Change, Contacts, Frame, MoveWall
 
 __all__ = ["Simulation"]
 
@@ -51,6 +54,8 @@ class Simulation:
         self.dynamics = parts.dynamics
         self.frame_interval = parts.frame_interval
         """Simulated time of one frame [time]."""
+        self.changes = parts.changes
+        """What was changed so far, and when [time]: by the schedule of the scenario, or by `apply`."""
         self.warnings = parts.warnings
         """Sentences about what the user should know of this scenario."""
         self.frame = 0
@@ -62,6 +67,8 @@ class Simulation:
         self.start_tallies = self.dynamics.tallies.copy()
         """Tallies at the start of this run."""
         self._origin = (self.state.time, 0)
+        self._start_geometry = scenario.geometry()
+        self._plan = self._what_is_to_come()
         self._observers: list[Observer] = []
         for observer in observers:
             self.attach(observer)
@@ -70,6 +77,28 @@ class Simulation:
     def time(self) -> float:
         """Simulated time [time]."""
         return self.state.time
+
+    def _what_is_to_come(self) -> list[ScheduledChange]:
+        """The schedule, the latest first; of a snapshot, what was not done yet."""
+        done = self.time if self.scenario.snapshot is not None else -math.inf
+        plan = [entry for entry in self.scenario.schedule if entry.at > done]
+        return sorted(plan, key=lambda entry: entry.at, reverse=True)
+
+    def apply(self, change: Change) -> None:
+        """Change gravity or a wall at the present time. It is logged, so that the run can be repeated to the bit.
+
+        Raises
+        ------
+        UsageError
+            There is no such wall, or it cannot do that.
+        """
+        if isinstance(change, MoveWall) and change.wall in self.geometry.wall_names:
+            number = self.geometry.wall_names.index(change.wall)
+            moved = self.state.wall_displacement
+            change = replace(change, origin=float(moved[number]) if moved.size else 0.0)
+        self.geometry = altered(self.geometry, self.time, change, self._start_geometry)
+        self.dynamics.alter(self.state, self.geometry)
+        self.changes.append((self.time, change))
 
     def attach(self, observer: Observer) -> None:
         """Let an observer read the run from now on."""
@@ -112,9 +141,16 @@ class Simulation:
         if not until >= self.time - 1e-9 * max(self.frame_interval, abs(self.time)):
             raise UsageError(f"until is {until:g}, but the gas is at time {self.time:g} already")
         begin = clock.perf_counter()
+        while self._plan and self._plan[-1].at <= until:
+            entry = self._plan.pop()
+            self._run_to(max(entry.at, self.time))
+            self.apply(entry.change())
+        self._run_to(until)
+        self.wall_seconds += clock.perf_counter() - begin
+
+    def _run_to(self, until: float) -> None:
         while self.dynamics.advance(self.state, until) is Status.FULL:
             self._read_contacts()
-        self.wall_seconds += clock.perf_counter() - begin
         self._read_contacts()
 
     def _read_contacts(self) -> None:
@@ -162,7 +198,7 @@ class Simulation:
 
     def snapshot(self) -> Scenario:
         """The scenario with the whole gas in it, to go on from with the same bits."""
-        return snapshot.snapshot(self.scenario_in_use, self.frame_view())
+        return snapshot.snapshot(self.scenario_in_use, self.frame_view(), self.changes)
 
     def save(self, path: str | Path) -> None:
         """Write a snapshot as JSON (compressed if the name ends in .gz).

@@ -4,27 +4,31 @@ from __future__ import annotations
 
 import dataclasses
 import gzip
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
 from gasbox.errors import FileError
-from gasbox.scenario import Particles, Scenario, Snapshot
-from gasbox.state import Frame
+from gasbox.scenario import Particles, Scenario, ScheduledChange, Snapshot
+from gasbox.state import Change, Frame
 from gasbox.version import __version__
 
 __all__ = ["snapshot", "write"]
 
 
-def snapshot(scenario: Scenario, frame: Frame) -> Scenario:
-    """The scenario as it stands at `frame`; running it goes on with the same bits."""
+def snapshot(scenario: Scenario, frame: Frame, changes: Sequence[tuple[float, Change]] = ()) -> Scenario:
+    """The scenario as it stands at `frame`, after these changes; running it goes on with the same bits."""
     names = np.array([species.name for species in scenario.species], dtype=object)
     particles = Particles.of(names[frame.state.species].tolist(), frame.state.position, frame.state.velocity)
+    ids = frame.state.id
     section = Snapshot(
         version=__version__,
         time=frame.state.time,
         memory=frame.memory,
         tallies={name: value.tolist() for name, value in dataclasses.asdict(frame.tallies).items()},
+        ids=None if np.array_equal(ids, np.arange(ids.size)) else tuple(ids.tolist()),
+        changes=tuple(ScheduledChange.of(time, change) for time, change in changes),
     )
     return scenario.model_copy(update={"particles": particles, "snapshot": section})
 

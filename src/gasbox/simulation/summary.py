@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox import observe
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
 from gasbox.protocols import Dynamics
 from gasbox.scenario import Scenario, Stepped
 from gasbox.state import State, Tallies
 from gasbox.version import __version__
 
-__all__ = ["radii", "summary"]
+__all__ = ["mean_geometry", "radii", "summary", "walls"]
 
 
 class Run(Protocol):
@@ -22,7 +22,7 @@ class Run(Protocol):
 
     scenario: Scenario
     state: State
-    geometry: Rectangle
+    geometry: Geometry
     dynamics: Dynamics
     frame: int
     start_time: float
@@ -57,6 +57,7 @@ def summary(simulation: Run) -> dict[str, Any]:
     state, geometry = simulation.state, simulation.geometry
     change = simulation.dynamics.tallies - simulation.start_tallies
     duration = simulation.state.time - simulation.start_time
+    here = mean_geometry(simulation)
     collisions = int(change.pair_collisions.sum())
     seconds = simulation.wall_seconds
     size = radii(simulation.scenario)
@@ -70,14 +71,19 @@ def summary(simulation: Run) -> dict[str, Any]:
         "collisions": collisions,
         "wall_collisions": int(change.wall_collisions.sum()),
         "energy": simulation.energy(),
+        "potential_energy": observe.potential_energy(state, geometry),
+        "internal_energy": observe.internal_energy(state, geometry),
+        "rest_energy": float(change.rest_energy[0]),
         "momentum": list(simulation.momentum()),
         "temperature": temperature,
         "pressure": simulation.pressure(),
         "pressure_virial": observe.virial_pressure(
-            change, geometry, size, counts, temperature=temperature, duration=duration
+            change, here, size, counts, temperature=temperature, duration=duration
         ),
         "collision_rates": _rates(change, duration),
         "mean_free_path": observe.mean_free_path(change, counts, means, duration),
+        "walls": walls(simulation, change, here, duration),
+        "left": _left(simulation, change),
         "species": [_species(simulation, k, int(counts[k])) for k in range(size.size)],
         "wall_seconds": seconds,
         "collisions_per_second": collisions / seconds if seconds > 0 else None,
@@ -86,6 +92,56 @@ def summary(simulation: Run) -> dict[str, Any]:
         "version": __version__,
         "scenario_hash": simulation.scenario.hash(),
     }
+
+
+def mean_geometry(simulation: Run) -> Geometry:
+    """The geometry with its walls where they were on average over this run, as far as that was followed."""
+    followed = getattr(simulation, "mean_displacement", None)
+    last = simulation.state.wall_displacement
+    place = followed.value() if isinstance(followed, observe.MeanDisplacement) else last
+    return simulation.geometry.at(place if place.shape == last.shape else last)
+
+
+def walls(simulation: Run, change: Tallies, here: Geometry, duration: float) -> list[dict[str, Any]]:
+    """What each wall felt and did during this run; sides that are periodic are left out."""
+    size = radii(simulation.scenario)
+    pressure = observe.wall_pressures(change, here, size, duration)
+    error = observe.wall_pressure_errors(change, here, size, duration)
+    return [
+        {
+            "name": name,
+            "pressure": _number(pressure[k]),
+            "pressure_error": _number(error[k]),
+            "collisions": int(change.wall_collisions[k].sum()),
+            "work": float(change.wall_work[k].sum()),
+            "heat": float(change.wall_heat[k].sum()),
+            "passed": {
+                species.name: {"forward": int(ways[0]), "backward": int(ways[1])}
+                for species, ways in zip(simulation.scenario.species, change.wall_passed[k], strict=True)
+            },
+            "carried": float(change.wall_carried[k].sum()),
+        }
+        for k, name in enumerate(here.wall_names)
+        if not _is_periodic(here, k)
+    ]
+
+
+def _left(simulation: Run, change: Tallies) -> dict[str, int]:
+    """Species -> how many discs left the gas during this run."""
+    geometry = simulation.geometry
+    open_walls = [k for k, wall in enumerate(getattr(geometry, "walls", ())) if wall.open]
+    gone = change.wall_passed[open_walls].sum(axis=(0, 2))
+    names = (species.name for species in simulation.scenario.species)
+    return {name: int(count) for name, count in zip(names, gone, strict=True)}
+
+
+def _is_periodic(geometry: Geometry, wall: int) -> bool:
+    """Whether a wall is a side that does not exist; only rectangles have such."""
+    return wall < 4 and bool(geometry.periodic[wall // 2])
+
+
+def _number(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
 
 
 def _rates(change: Tallies, duration: float) -> dict[str, Any] | None:

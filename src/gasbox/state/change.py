@@ -1,4 +1,4 @@
-"""What acts on a running gas from outside: plain values, applied between two events, logged, and replayed to the bit."""
+"""What acts on a running gas from outside: plain values, made between two events, logged, replayed to the bit."""
 
 from __future__ import annotations
 
@@ -46,11 +46,13 @@ class MoveWall:
     wall : name
     displacement : where it goes, along its normal from its place at the start [length]
     speed : > 0 [length/time]
+    origin : where it was when it set out [length]; filled in when the change is made
     """
 
     wall: str
     displacement: float
     speed: float
+    origin: float | None = None
 
 
 Change = SetGravity | SetWall | MoveWall

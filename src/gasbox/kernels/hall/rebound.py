@@ -66,7 +66,7 @@ def normal_at(
 
 @inlined_kernel
 def rest_speed(hall: Hall, number: int, along: float, nx: float, ny: float, r: float, time: float) -> float:
-    """Least speed of the rebound along n, if the disc is pressed to the wall; `along`: part of the wall's normal on n."""
+    """Least speed of a rebound along n, of a disc pressed to the wall; `along`: the wall's normal times n."""
     press = -(hall.gx * nx + hall.gy * ny - push(hall, number, time) * along)
     return math.sqrt(2.0 * press * LEAST_HEIGHT * r) if press > 0.0 else 0.0
 

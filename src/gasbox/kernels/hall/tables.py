@@ -85,13 +85,14 @@ def hall(enclosure: Enclosure, species: int, seed: int, soft: frozenset[str] = f
     passes = np.zeros((len(walls), species), np.bool_)
     for row, one in enumerate(walls):
         _describe(one, wall[row], rule[row], passes[row])
-        rule[row, SOFT] |= one.name in soft
+        rule[row, SOFT] |= one.soft or one.name in soft
         if one.motion is not None:
             set_motion(wall[row], rule[row], one.motion, 0.0, 0.0)
             _equip_piston(enclosure, row, wall[row])
     moves = np.array([walls[element.wall].motion is not None for element in elements], np.bool_)
     return Hall(
-        *(float(part) for part in enclosure.gravity),
+        float(enclosure.gravity[0]),
+        float(enclosure.gravity[1]),
         shape,
         kind,
         wall,
