@@ -13,7 +13,7 @@ from made_up import SCENARIO, frame, same_bits
 from gasbox.geometry import Enclosure, Rectangle
 from gasbox.recording import Measurements, Recorder, open_recording
 from gasbox.scenario import Scenario, parse
-from gasbox.state import Frame, MoveWall, SetGravity, SetWall
+from gasbox.state import Change, Frame, MoveWall, SetGravity, SetWall
 
 pytestmark = pytest.mark.small
 
@@ -91,22 +91,26 @@ def test_a_recording_of_an_older_version_has_no_work_yet(tmp_path: Path) -> None
 
 
 def test_changes_are_kept_once_each(tmp_path: Path) -> None:
-    changes = [(0.1, SetGravity((0.0, -2.0))), (0.2, SetWall("right", temperature=3.0))]
+    changes: list[tuple[float, Change]] = []
     with Recorder(tmp_path / "a.h5", SCENARIO, flush_frames=1) as recorder:
-        recorder.write(frame(0, 2))
-        recorder.log(changes[:1])
-        recorder.write(frame(1, 2))
-        recorder.log([*changes, (0.5, MoveWall("right", -3.0, 0.5))])
-        recorder.log([*changes, (0.5, MoveWall("right", -3.0, 0.5))])
+        recorder.write(frame(0, 2), {}, changes)
+        changes.append((0.1, SetGravity((0.0, -2.0))))
+        recorder.write(frame(1, 2), {}, changes)
+        recorder.write(frame(2, 2), {}, changes)
+        changes += [(0.9, SetWall("right", temperature=3.0)), (1.0, MoveWall("right", -3.0, 0.5, 0.25))]
+        recorder.write(frame(3, 2), {}, changes)
     with open_recording(tmp_path / "a.h5") as recording:
-        assert recording.changes == [*changes, (0.5, MoveWall("right", -3.0, 0.5))]
+        assert recording.changes == changes
 
 
 def test_the_geometry_at_a_frame(tmp_path: Path) -> None:
+    changes: list[tuple[float, Change]] = [
+        (1.0, SetGravity((0.0, 0.0))),
+        (1.0, SetWall("left", temperature=2.0)),
+    ]
     with Recorder(tmp_path / "a.h5", HALL) as recorder:
         for number in range(4):
-            recorder.write(frame(number, 2))
-        recorder.log([(0.9, SetGravity((0.0, 0.0))), (0.95, SetWall("left", temperature=2.0))])
+            recorder.write(frame(number, 2), {}, changes if number == 3 else ())
     with open_recording(tmp_path / "a.h5") as recording:
         found = [recording.geometry_at(number) for number in range(4)]
     assert all(isinstance(each, Enclosure) for each in found)
@@ -117,11 +121,12 @@ def test_the_geometry_at_a_frame(tmp_path: Path) -> None:
     assert found[3].walls[0].temperature == 2.0
 
 
-def test_a_plain_box_stays_one_until_something_changes(tmp_path: Path) -> None:
+def test_what_is_changed_right_after_a_frame_is_no_part_of_it(tmp_path: Path) -> None:
     with Recorder(tmp_path / "a.h5", SCENARIO) as recorder:
         recorder.write(frame(0, 2))
-        recorder.write(frame(3, 2))
-        recorder.log([(0.5, SetGravity((0.0, -1.0))), (0.6, MoveWall("right", -3.0, 0.5))])
+        recorder.write(
+            frame(3, 2), {}, [(0.0, SetGravity((0.0, -1.0))), (0.6, MoveWall("left", 3.0, 0.5, 0.0))]
+        )
     with open_recording(tmp_path / "a.h5") as recording:
         assert isinstance(recording.geometry_at(0), Rectangle)
         later = recording.geometry_at(1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from gasbox.scenario import Scenario, Stepped
+from gasbox.scenario.container import CircleContainer, PolygonContainer, RectangleContainer
 
 __all__ = ["describe", "particle_count", "try_start"]
 
@@ -16,8 +17,6 @@ def particle_count(scenario: Scenario) -> int:
 
 def describe(scenario: Scenario) -> str:
     """One line: what the scenario is."""
-    box, dynamics = scenario.container, scenario.dynamics
-    edges = f", periodic in {' and '.join(box.periodic)}" if box.periodic else ""
     what = (
         "a good scenario"
         if scenario.snapshot is None
@@ -25,9 +24,38 @@ def describe(scenario: Scenario) -> str:
     )
     count, kinds = particle_count(scenario), len(scenario.species)
     return (
-        f"{what}: {count} particle{'s' * (count != 1)} of {kinds} species in {box.width:g} x {box.height:g}"
-        f"{edges}, {dynamics.kind}"
+        f"{what}: {count} particle{'s' * (count != 1)} of {kinds} species in {_surroundings(scenario)}, "
+        f"{scenario.dynamics.kind}"
     )
+
+
+def _surroundings(scenario: Scenario) -> str:
+    """What the gas is in: the container, and what is in it or special about it."""
+    parts = [_container(scenario)]
+    moving = sum(entry.motion is not None for entry in (*scenario.walls.values(), *scenario.obstacles))
+    for number, name in (
+        (len(scenario.obstacles), "obstacle"),
+        (moving, "moving wall"),
+        (len(scenario.schedule), "scheduled change"),
+    ):
+        if number:
+            parts.append(f"{number} {name}{'s' * (number != 1)}")
+    if any(scenario.gravity):
+        parts.append("gravity {:g} {:g}".format(*scenario.gravity))
+    return ", ".join(parts)
+
+
+def _container(scenario: Scenario) -> str:
+    match scenario.container:
+        case RectangleContainer(width=width, height=height, periodic=periodic):
+            edges = f", periodic in {' and '.join(periodic)}" if periodic else ""
+            return f"{width:g} x {height:g}{edges}"
+        case CircleContainer(radius=radius):
+            return f"a circle of radius {radius:g}"
+        case PolygonContainer(vertices=vertices):
+            return f"a polygon of {len(vertices)} sides"
+        case container:
+            return f"a regular polygon of {container.sides} sides, radius {container.radius:g}"
 
 
 def try_start(scenario: Scenario) -> None:

@@ -91,7 +91,7 @@ def _travel(simulation: Simulation, journey: Journey) -> _Arrival:
         progress = stack.enter_context(Progress(simulation.time, end))
         for frame in moments:
             if recorder is not None and frame is not None:
-                recorder.write(frame, measurements.of(frame))
+                recorder.write(frame, measurements.of(frame, simulation.geometry), simulation.changes)
             progress.show(simulation.time)
             if stopping.wanted:
                 return _Arrival(True, recorder.frames if recorder else 0)

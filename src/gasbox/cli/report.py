@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 import math
 import sys
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Iterator
+from typing import Any, Final
 
 from rich.console import Console
 from rich.markup import escape
@@ -22,7 +22,10 @@ _ROWS = (
     ("particles", "particles", ""),
     ("collisions", "collisions of pairs", ""),
     ("wall_collisions", "collisions with walls", ""),
-    ("energy", "energy", UNIT["energy"]),
+    ("energy", "kinetic energy", UNIT["energy"]),
+    ("potential_energy", "potential energy", UNIT["energy"]),
+    ("internal_energy", "internal energy", UNIT["energy"]),
+    ("rest_energy", "given by the rule for rest", UNIT["energy"]),
     ("momentum", "momentum", UNIT["momentum"]),
     ("temperature", "temperature", UNIT["temperature"]),
     ("pressure", "pressure on the walls", UNIT["pressure"]),
@@ -41,6 +44,11 @@ _SPECIES = (
 )
 
 
+_SIDES: Final = frozenset({"left", "right", "bottom", "top"})
+_UNLESS_ZERO: Final = frozenset({"potential_energy", "internal_energy", "rest_energy"})
+"""Rows that say nothing in a plain box."""
+
+
 def warn(warnings: Iterable[str]) -> None:
     """Print warnings on standard error."""
     for warning in warnings:
@@ -57,13 +65,50 @@ def print_summary(summary: dict[str, Any], title: str) -> None:
     console = Console(highlight=False)
     table = Table(title=escape(title) or None, title_justify="left", show_header=False)
     for name, meaning, unit in _ROWS:
-        if name in summary:
+        if name in summary and (name not in _UNLESS_ZERO or _has_more_energy(summary)):
             table.add_row(meaning, _text(summary[name]), unit)
     console.print(table)
     species = Table("species", *(meaning for _, meaning in _SPECIES))
     for entry in summary["species"]:
         species.add_row(escape(entry["name"]), *(_text(entry[name]) for name, _ in _SPECIES))
     console.print(species)
+    if _is_more_than_a_box(summary):
+        console.print(_walls(summary["walls"], [entry["name"] for entry in summary["species"]]))
+
+
+def _is_more_than_a_box(summary: dict[str, Any]) -> bool:
+    """Whether the walls have something to tell beside one pressure."""
+    walls = summary["walls"]
+    told = any(wall["work"] or wall["heat"] or any(_ways(wall)) for wall in walls)
+    return bool(told or summary["potential_energy"] or {wall["name"] for wall in walls} - _SIDES)
+
+
+def _walls(walls: list[dict[str, Any]], species: list[str]) -> Table:
+    """A row for each wall, with only those columns in which something stands."""
+    passed = any(any(_ways(wall)) for wall in walls)
+    kept = [name for name in ("work", "heat", "carried") if any(wall[name] for wall in walls)]
+    table = Table("wall", "pressure", "hits", *kept, *(["passed (forward, backward)"] if passed else []))
+    for wall in walls:
+        pressure, error = wall["pressure"], wall["pressure_error"]
+        felt = _text(pressure) if error is None else f"{_text(pressure)} ± {error:.2g}"
+        row = [escape(wall["name"]), felt, _text(wall["collisions"]), *(_text(wall[name]) for name in kept)]
+        ways = [
+            f"{escape(name)} {wall['passed'][name]['forward']}, {wall['passed'][name]['backward']}"
+            for name in species
+            if any(wall["passed"][name].values())
+        ]
+        table.add_row(*row, *(["; ".join(ways) or "-"] if passed else []))
+    return table
+
+
+def _ways(wall: dict[str, Any]) -> Iterator[int]:
+    """All counts of those that passed a wall."""
+    for ways in wall["passed"].values():
+        yield from ways.values()
+
+
+def _has_more_energy(summary: dict[str, Any]) -> bool:
+    return bool(summary["potential_energy"] or summary["rest_energy"])
 
 
 def _text(value: Any) -> str:

@@ -10,6 +10,7 @@ from typing import Final
 
 __all__ = [
     "CHANGES",
+    "CHANGES_MADE",
     "EVERY_FRAME",
     "FORMAT",
     "H5MD_VERSION",
@@ -48,6 +49,8 @@ ROSTER: Final = ("id", "species", "mass", "radius")
 
 CHANGES: Final = f"{OWN}/changes"
 """One JSON text for each change of gravity or of a wall while the gas ran, as entries of a scenario's schedule."""
+CHANGES_MADE: Final = f"{OWN}/changes_made"
+"""How many of them were made until each frame."""
 WALLS: Final = f"{OWN}/walls"
 """Where walls are, each frame: displacement and velocity of each wall; not-a-number while none has moved yet."""
 

@@ -17,8 +17,7 @@ from gasbox.recording import places
 from gasbox.recording.complaints import refuse_foreign, refuse_full_disk, writing
 from gasbox.recording.elements import Elements
 from gasbox.recording.header import write_header
-from gasbox.scenario import Scenario
-from gasbox.scenario.schedule import ScheduledChange
+from gasbox.scenario import Scenario, ScheduledChange
 from gasbox.state import FIELDS, Change, Frame, State
 from gasbox.units import UNIT
 
@@ -80,13 +79,20 @@ class Recorder:
         self._samples = Elements(self._file, _OPTIONAL)
         self._changes: list[str] = []
 
-    def write(self, frame: Frame, observables: Mapping[str, ArrayLike | None] | None = None) -> None:
+    def write(
+        self,
+        frame: Frame,
+        observables: Mapping[str, ArrayLike | None] | None = None,
+        changes: Sequence[tuple[float, Change]] = (),
+    ) -> None:
         """Take a copy of one frame, and of numbers measured at it.
 
         Parameters
         ----------
         frame : with a higher number than all before
         observables : name -> number or array, None for no value; the same names and shapes in each frame
+
+        changes : of gravity and walls, (time, change) each: all until now, as `Simulation.changes` has them
 
         Raises
         ------
@@ -95,21 +101,13 @@ class Recorder:
         """
         if frame.number <= self._last_number:
             raise ValueError(f"frame {frame.number} does not come after frame {self._last_number}")
+        for moment, change in changes[len(self._changes) :]:
+            entry = ScheduledChange.of(moment, change)
+            self._changes.append(entry.model_dump_json(exclude_none=True))
         with writing(self.path):
             self._take(frame, observables or {})
             if self._is_due():
                 self._flush()
-
-    def log(self, changes: Sequence[tuple[float, Change]]) -> None:
-        """Take the changes made while the gas ran, (time, change) each; those that were taken before are skipped.
-
-        Parameters
-        ----------
-        changes : all since the start of this run, as `Simulation.changes` has them
-        """
-        for moment, change in changes[len(self._changes) :]:
-            entry = ScheduledChange.of(moment, change)
-            self._changes.append(entry.model_dump_json(exclude_none=True))
 
     def flush(self) -> None:
         """Bring everything that was taken into the file."""
@@ -142,6 +140,7 @@ class Recorder:
             values = {f"{places.PARTICLES}/{name}": getattr(state, name) for name in places.ROSTER}
             self._rosters.append(number, state.time, values, _FILLS, _UNITS)
         sample = _sample(frame, observables)
+        sample[places.CHANGES_MADE] = np.int64(len(self._changes))
         lengths = {path: -1.0 for path in sample if path.startswith(places.LENGTHS)}
         self._samples.append(number, state.time, sample, {**_FILLS, **lengths}, _UNITS)
         self._last_number = number

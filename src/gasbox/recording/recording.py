@@ -14,9 +14,7 @@ from gasbox.errors import FileError, ScenarioError
 from gasbox.geometry import Geometry
 from gasbox.recording import places
 from gasbox.recording.complaints import is_hdf5, reading
-from gasbox.recording.surroundings import geometry_after
-from gasbox.scenario import Particles, Scenario, parse
-from gasbox.scenario.schedule import ScheduledChange
+from gasbox.scenario import Particles, Scenario, ScheduledChange, parse
 from gasbox.state import Change, Frame, State, Tallies
 
 __all__ = ["Recording", "open_recording"]
@@ -97,6 +95,11 @@ class Recording:
             if not np.array_equal(state.id, np.arange(state.count)):
                 # Some have left; the others keep their numbers.
                 memory["ids"] = state.id.tolist()
+            made = self._changes_until(self._row(index))
+            if made:
+                memory["changes"] = [
+                    ScheduledChange.of(*each).model_dump(mode="json", exclude_none=True) for each in made
+                ]
             return parse(
                 {
                     **self.scenario.model_copy(update={"particles": None, "snapshot": None}).to_dict(),
@@ -122,17 +125,21 @@ class Recording:
         FileError
             There is no such frame, or it cannot be read.
         """
-        return self._geometry_until(float(self.times[self._row(index)]))
+        row = self._row(index)
+        time, changes = float(self.times[row]), self._changes_until(row)
+        # What a schedule did stands among the changes as well; twice is once.
+        planned = [(entry.at, entry.change()) for entry in self.scenario.schedule if entry.at <= time]
+        start = geometry = self.scenario.geometry()
+        for moment, change in sorted([*planned, *changes], key=lambda entry: entry[0]):
+            # Here, because it loads the kernels, which most readers do without.
+            from gasbox.dynamics import altered
 
-    def _geometry_until(self, time: float) -> Geometry:
-        planned = [(entry.at, entry.change()) for entry in self.scenario.schedule]
-        # What a schedule did may stand among the changes as well; twice is once.
-        known = sorted([*planned, *self.changes], key=lambda entry: entry[0])
-        geometry = self.scenario.geometry()
-        for moment, change in known:
-            if moment <= time:
-                geometry = geometry_after(geometry, moment, change)
+            geometry = altered(geometry, moment, change, start)
         return geometry
+
+    def _changes_until(self, row: int) -> list[tuple[float, Change]]:
+        made = self._file.get(places.CHANGES_MADE)
+        return self.changes[: int(made["value"][row])] if made is not None else []
 
     def close(self) -> None:
         """Close the file."""
@@ -169,6 +176,7 @@ class Recording:
         """All elements that have a row for each frame."""
         particles = self._file[places.PARTICLES]
         found = [particles[name] for name in places.EVERY_FRAME if name in particles]
+        found += [self._file[places.CHANGES_MADE]] if places.CHANGES_MADE in self._file else []
         for path in (places.TALLIES, places.MEMORY, places.LENGTHS, places.WALLS, places.OBSERVABLES):
             found += self._file.get(path, {}).values()
         return found
