@@ -151,6 +151,23 @@ def test_a_gauge_says_at_least_the_error_of_independent_hits():
     assert np.isnan(nothing.mean).all()
 
 
+def test_a_gauge_that_is_taken_away_keeps_what_it_has_seen():
+    box = hall(BOX, DIVIDER, names=["divider"])
+    gauge = observe.WallGauge(box, ONE)
+    tallies = Tallies.zero(1, 5)
+    gauge.start(gas([[0.0, 0.0]]), tallies)
+    for number, push in enumerate([36.0, 72.0, 0.0, 0.0], 1):
+        if number == 3:
+            gauge.changed(gas([[0.0, 0.0]]), box.with_wall(4, present=False))
+        tallies.wall_impulse[4, 0] += push
+        gauge.observe(gas([[0.0, 0.0]], time=float(number)), tallies)
+    series = gauge.series()
+    assert series.pressure[:2, 4] == pytest.approx([1.0, 2.0])
+    assert np.isnan(series.pressure[2:, 4]).all()
+    assert series.mean[4] == pytest.approx(1.5)
+    assert series.error[4] == pytest.approx(0.5)
+
+
 def test_error_from_blocks():
     rng = np.random.default_rng(5)
     white = rng.normal(size=(4096, 3))

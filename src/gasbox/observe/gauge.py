@@ -23,7 +23,7 @@ class WallSeries:
     ----------
     names : (walls,) of the walls
     time : (windows,) float64 [time], end of each window between two frames
-    pressure : (windows, walls) float64 [mass/time²], not-a-number for a wall that is no gauge
+    pressure : (windows, walls) float64 [mass/time²], not-a-number where a wall is no gauge
     mean : (walls,) float64 [mass/time²], over all windows, each weighted by its duration
     error : (walls,) float64 [mass/time²], standard error of the mean: the larger of that of independent hits
         and that of blocks of windows
@@ -95,8 +95,17 @@ class WallGauge:
         if not share.size:
             nothing = np.full(len(names), np.nan)
             return WallSeries(names, np.array(self._times), pressure, nothing, nothing)
-        share = share / np.sum(share)
+        # A wall that was taken away or put back is a gauge in some windows only.
+        share = np.where(np.isfinite(pressure), share[:, None], 0.0)
+        whole = np.sum(share, axis=0)
+        share = share / np.where(whole > 0.0, whole, np.nan)
+        mean = np.sum(share * np.nan_to_num(pressure), axis=0)
         # A window without a hit adds nothing to the error from hits.
-        dilute = np.sqrt(np.sum(np.square(share[:, None] * np.nan_to_num(hits)), axis=0))
-        error = np.fmax(block_error(pressure), dilute)
-        return WallSeries(names, np.array(self._times), pressure, share @ pressure, error)
+        dilute = np.sqrt(np.sum(np.square(share * np.nan_to_num(hits)), axis=0))
+        error = np.array([_scatter(column) for column in pressure.T])
+        return WallSeries(names, np.array(self._times), pressure, mean, np.fmax(error, dilute))
+
+
+def _scatter(pressure: NDArray[np.float64]) -> float:
+    """Standard error of the mean of those windows in which the wall was a gauge."""
+    return float(block_error(pressure[np.isfinite(pressure)]))
