@@ -115,7 +115,6 @@ def test_the_table(page: Page) -> None:
         "periodicY": False,
         "obstacles": [],
         "gravity": [0, 0],
-        "moves": False,
         "names": ["a", "b"],
         "colors": ["#ff0000", "#00ff00"],
         "radii": [1, 2.5],

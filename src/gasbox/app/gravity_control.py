@@ -22,7 +22,12 @@ _UNIT = "length/time²"
 class _Pad(Element, component="frontend/gravity_pad.js"):
     """The round pad; see the component."""
 
+    def __init__(self) -> None:
+        super().__init__()
+        self.show(Pull(), "no gravity")
+
     def show(self, pull: Pull, text: str) -> None:
+        """Show where gravity points, and say it in words."""
         self._props["x"], self._props["y"] = pull.place
         self._props["text"] = text
         self.update()

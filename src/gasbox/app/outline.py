@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from gasbox.app.reins import movable
 from gasbox.geometry import (
     Block,
     Circle,
@@ -22,7 +23,6 @@ from gasbox.geometry import (
     Rectangle,
     Segment,
     Sinusoid,
-    Wall,
     side_count,
 )
 
@@ -38,7 +38,7 @@ def outline(geometry: Geometry) -> dict[str, Any]:
         "container": _container(geometry),
         "walls": [{"name": name, **_PLAIN} for name in geometry.wall_names]
         if enclosure is None
-        else [_wall(wall, enclosure.normal(number)) for number, wall in enumerate(enclosure.walls)],
+        else [_wall(enclosure, number) for number in range(len(enclosure.walls))],
         "obstacles": [] if enclosure is None else _obstacles(enclosure),
         "gravity": list(geometry.gravity),
     }
@@ -59,7 +59,8 @@ def _container(geometry: Geometry) -> dict[str, Any]:
             return {"shape": "rectangle", **box}
 
 
-def _wall(wall: Wall, normal: tuple[float, float]) -> dict[str, Any]:
+def _wall(enclosure: Enclosure, number: int) -> dict[str, Any]:
+    wall = enclosure.walls[number]
     line = "dashed" if wall.open else "solid" if wall.passes is None else "dotted"
     shown: dict[str, Any] = {
         "name": wall.name,
@@ -72,8 +73,11 @@ def _wall(wall: Wall, normal: tuple[float, float]) -> dict[str, Any]:
         shown["way"] = wall.passes.direction
     if wall.motion is not None:
         shown["motion"] = "piston" if isinstance(wall.motion, Piston) else "driven"
-        shown["normal"] = list(normal)
         shown["reach"] = list(_reach(wall.motion))
+    if movable(enclosure, number):
+        shown["handle"] = True
+    if wall.motion is not None or movable(enclosure, number):
+        shown["normal"] = list(enclosure.normal(number))
     return shown
 
 

@@ -16,15 +16,22 @@ __all__ = ["displacement_of", "guided", "limits", "movable", "released"]
 
 _SHARE: Final = 0.5
 """Of the mean speed of the particles; a faster wall would leave shock waves and never end heating the gas."""
+_UPRIGHT: Final = 1e-9
 _DENSEST: Final = 0.6
 """Area fraction to which a hand may press the gas together."""
 
 
 def movable(geometry: Geometry, wall: int) -> bool:
-    """Whether a wall can be moved by hand: one that is there and has a motion."""
+    """Whether a wall can be moved by hand: one that is there, and moves anyway or divides a rectangle along an axis."""
     if not isinstance(geometry, Enclosure) or not 0 <= wall < len(geometry.walls):
         return False
-    return geometry.walls[wall].motion is not None and geometry.walls[wall].present
+    one, normal = geometry.walls[wall], geometry.normal(wall)
+    if not one.present or normal == (0.0, 0.0):
+        return False
+    if one.motion is not None:
+        return True
+    upright = isinstance(geometry.container, Rectangle) and min(map(abs, normal)) < _UPRIGHT
+    return upright and not _is_side(geometry, wall) and one.passes is None and not one.open
 
 
 def displacement_of(state: State, wall: int) -> float:
@@ -35,7 +42,7 @@ def displacement_of(state: State, wall: int) -> float:
 def guided(
     geometry: Geometry, state: State, wall: int, displacement: float, frame_interval: float
 ) -> MoveWall | None:
-    """The change that lets a wall follow; None if it cannot be moved, or is there already.
+    """The change that lets a wall follow; None if it cannot be moved.
 
     Parameters
     ----------
@@ -46,17 +53,20 @@ def guided(
         return None
     low, high = limits(geometry, state, wall)
     target = min(max(displacement, low), high)
-    if target == displacement_of(state, wall):
-        return None
     speed = _SHARE * (mean_speed(state) or 0.0) or float(geometry.size.min()) / (100.0 * frame_interval)
     return MoveWall(geometry.walls[wall].name, target, speed)
 
 
-def released(geometry: Geometry, wall: int) -> SetWall | None:
-    """The change when a hand lets go: a piston is free again, any other wall comes to rest by itself."""
-    if not (isinstance(geometry, Enclosure) and movable(geometry, wall)):
+def released(start: Geometry, wall: int) -> SetWall | None:
+    """The change when a hand lets go: a piston is free again, any other wall comes to rest by itself.
+
+    Parameters
+    ----------
+    start : geometry of the scenario, in which no wall was moved yet
+    """
+    if not isinstance(start, Enclosure) or not 0 <= wall < len(start.walls):
         return None
-    one = geometry.walls[wall]
+    one = start.walls[wall]
     return SetWall(one.name, free=True) if isinstance(one.motion, Piston) else None
 
 
@@ -94,7 +104,7 @@ def _neighbours(
 ) -> tuple[float, float]:
     """Where the next walls are along the normal, below and above `place` [length]."""
     box = sorted((0.0, float(normal @ geometry.size)))
-    ends = [box[0], box[1]] if _is_side(geometry, wall) is False else []
+    ends = [box[0], box[1]] if not _is_side(geometry, wall) else []
     for other, one in enumerate(geometry.walls):
         if other != wall and one.present and not one.open and one.passes is None:
             ends += _places(geometry, state, other, normal)

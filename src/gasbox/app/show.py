@@ -146,7 +146,7 @@ class Show:
         """A hand lets go of a wall."""
         self.follow_hands()
         if self._motion is not None:
-            self._try(reins.released(self._motion.simulation.geometry, wall))
+            self._try(reins.released(self._motion.simulation.scenario.geometry(), wall))
 
     def _try(self, change: Change | None) -> None:
         """A change from a hand, which nobody waits for: if it cannot be done, it is not."""

@@ -9,7 +9,7 @@ from nicegui import background_tasks, ui
 from gasbox.app.gravity_control import GravityControl
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
-from gasbox.app.wall_controls import WallControls, walls_with_controls
+from gasbox.app.wall_controls import WallControls, can_move, walls_with_controls
 from gasbox.errors import GasboxError
 from gasbox.geometry import Enclosure, Geometry, side_count
 from gasbox.state import Change
@@ -91,5 +91,4 @@ class Surroundings:
 def _kinds(geometry: Geometry, index: int) -> tuple[bool, bool]:
     """What decides which controls a wall has."""
     assert isinstance(geometry, Enclosure)
-    wall = geometry.walls[index]
-    return wall.temperature is not None, wall.motion is not None
+    return geometry.walls[index].temperature is not None, can_move(geometry, index)

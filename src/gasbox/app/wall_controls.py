@@ -9,15 +9,15 @@ from typing import Final
 from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
-from gasbox.app.reins import displacement_of, limits, movable
+from gasbox.app.reins import displacement_of, limits, movable, released
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
 from gasbox.app.wording import number
-from gasbox.geometry import Enclosure, Piston, Wall, side_count
+from gasbox.geometry import Enclosure, Geometry, Wall, side_count
 from gasbox.scenario import Scenario
 from gasbox.state import Change, SetWall
 
-__all__ = ["MOST_WALLS", "WallControls", "walls_with_controls"]
+__all__ = ["MOST_WALLS", "WallControls", "can_move", "walls_with_controls"]
 
 MOST_WALLS: Final = 12
 """Walls that get controls; a board of pegs has no room for more."""
@@ -36,6 +36,11 @@ def walls_with_controls(scenario: Scenario, geometry: Enclosure) -> list[int]:
         if wall.temperature is not None or wall.motion is not None or named or divides:
             found.append(index)
     return found[:MOST_WALLS]
+
+
+def can_move(geometry: Enclosure, index: int) -> bool:
+    """Whether a wall can be moved by hand, were it there."""
+    return movable(geometry.with_wall(index, present=True), index)
 
 
 class WallControls:
@@ -58,12 +63,13 @@ class WallControls:
         self._start = wall.temperature
         self._showing = False
         self._is_obstacle = index >= side_count(sample.geometry.container)
+        self._moves = can_move(sample.geometry, index)
         with ui.element("div").classes("wall-chip").props(f'role="group" aria-label="{_plain(wall.name)}"'):
             if self._is_obstacle:
                 self._present = ui.button(on_click=self.toggle, color=None).props("flat round dense")
                 self._present.mark(f"wall-{index}-present")
             ui.label(wall.name).classes("name")
-            if wall.temperature is not None or wall.motion is not None:
+            if wall.temperature is not None or self._moves:
                 self._value = ui.button(color=None).props(
                     f'flat dense no-caps aria-label="{_plain(wall.name)}"'
                 )
@@ -71,8 +77,8 @@ class WallControls:
                 with self._value, ui.menu() as menu, ui.element("div").classes("bins-form"):
                     if wall.temperature is not None:
                         self._temperature_form(wall.temperature)
-                    if wall.motion is not None:
-                        self._place_form(wall)
+                    if self._moves:
+                        self._place_form(sample.scenario.geometry())
                 menu.props(f'aria-label="{_plain(wall.name)}"')
         self.show(sample)
 
@@ -88,7 +94,7 @@ class WallControls:
             f"wall-{self.index}-temperature"
         )
 
-    def _place_form(self, wall: Wall) -> None:
+    def _place_form(self, start: Geometry) -> None:
         ui.label("place (or drag the wall)").classes("hint")
         self._slide = (
             ui.slider(min=-1, max=1, step=0.001, value=0, on_change=self._slid)
@@ -97,7 +103,7 @@ class WallControls:
         )
         self._goal = ui.number("move to (length)", on_change=self._went)
         self._goal.props("dense outlined hide-bottom-space debounce=300").mark(f"wall-{self.index}-goal")
-        if isinstance(wall.motion, Piston):
+        if released(start, self.index) is not None:
             ui.button("Let it go", on_click=lambda: self._session.drop(self.index), color=None).props(
                 "flat dense"
             ).mark(f"wall-{self.index}-free")
@@ -117,7 +123,7 @@ class WallControls:
         if wall.temperature is not None:
             self._show_temperature(wall.temperature)
             parts.append(f"T = {number(wall.temperature)}")
-        if wall.motion is not None:
+        if self._moves:
             place = displacement_of(sample.state, self.index)
             self._show_place(sample, place)
             parts.append(f"at {number(place)}")
@@ -141,9 +147,8 @@ class WallControls:
 
     def _show_place(self, sample: Sample, place: float) -> None:
         assert isinstance(sample.geometry, Enclosure)
-        can_move = movable(sample.geometry, self.index)
-        self._slide.set_enabled(can_move)
-        if not can_move:
+        self._slide.set_enabled(movable(sample.geometry, self.index))
+        if not self._slide.enabled:
             return
         low, high = limits(sample.geometry, sample.state, self.index)
         span = high - low

@@ -130,13 +130,16 @@ class Lab {
     const same = this.table && kin(this.table) === kin(table);
     const room = reach(table);
     this.table = table;
-    if (!same) this.frame = null;
+    if (!same) {
+      this.frame = null;
+      this.trail.forget();
+    }
     this.show(same ? room.map((end, k) => (k < 2 ? Math.min : Math.max)(end, this.view.room[k])) : room);
     this.mixColors();
   }
 
   show(room) {
-    this.view.setRoom(room, this.table.sides.some(({ wall }) => wall.motion !== null));
+    this.view.setRoom(room, this.table.sides.some(({ wall }) => wall.handle));
   }
 
   schedule() {

@@ -20,7 +20,6 @@ export function readOutline({ container, walls, obstacles, gravity }) {
     sides: sides(container, all),
     lines: stones.filter((one) => one.shape === "segment").map((one) => segment(one)),
     blocks: stones.filter((one) => one.shape !== "segment"),
-    moves: all.some((wall) => wall.motion !== null),
   };
 }
 
@@ -79,7 +78,7 @@ export function reach(table) {
   const room = [0, 0, table.width, table.height];
   for (const { wall, out } of table.sides) {
     if (wall.motion === null || !out) continue;
-    const [low, high] = wall.reach;
+    const [low, high] = wall.reach ?? [0, 0];
     if (out[0] < 0) room[0] = Math.min(room[0], low);
     if (out[1] < 0) room[1] = Math.min(room[1], low);
     if (out[0] > 0) room[2] = Math.max(room[2], table.width + high);

@@ -59,8 +59,14 @@ export class Trail {
     this.whose = null;
   }
 
+  // Another gas.
+  forget() {
+    this.points = [];
+    this.whose = null;
+  }
+
   add(frame) {
-    const whose = frame.followed ? `${frame.generation}:${frame.followed.id}` : null;
+    const whose = frame.followed ? frame.followed.id : null;
     if (whose !== this.whose || frame.time < this.time) this.points = [];
     this.whose = whose;
     if (!frame.followed || frame.time === this.time) return;

@@ -134,11 +134,10 @@ function edge(context, scene, block) {
   context.restore();
 }
 
-// Where the handles of moving walls are: { wall, x, y, across: unit vector of the normal in pixels, from, to } in pixels.
+// Where handles of walls are: { wall, x, y, across: unit vector of the normal in pixels, from, to } in pixels.
 export function grips({ table, view, frame }) {
-  if (!table.moves) return [];
   return [...table.sides, ...table.lines]
-    .filter(({ wall, from }) => wall.motion !== null && wall.present && from)
+    .filter(({ wall, from }) => wall.handle && from)
     .map((one) => {
       const [x0, y0, x1, y1] = ends(one, table, frame);
       const from = view.toCanvas(x0, y0);
