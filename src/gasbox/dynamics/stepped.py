@@ -5,10 +5,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
+from gasbox.dynamics.halls import make_hall, start_walls, wall_rows
 from gasbox.dynamics.team import Team, processors
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Enclosure, Geometry, Path, Rectangle
 from gasbox.kernels import arguments, stepped
+from gasbox.kernels.hall import set_motion
+from gasbox.kernels.hall.motion import show_walls
+from gasbox.kernels.hall.tables import UNTIL
 from gasbox.protocols import Status
 from gasbox.state import Contacts, Memory, State, Tallies
 
@@ -16,6 +21,8 @@ __all__ = ["Stepped"]
 
 _FEW = 5_000
 """Particles a thread below which more threads are not worth their meetings."""
+_ROOM = 1.25
+"""Room for a side that moves out, when the cells are laid out again."""
 
 
 def _fitting_threads(particles: int) -> int:
@@ -30,38 +37,88 @@ class Stepped:
     Parameters
     ----------
     state : the particles; its arrays are changed in place
-    geometry : the box
+    geometry : the box, or the enclosure
     time_step : [time]
     tallies, contacts : where collisions are booked
-    memory : ``step``, for going on from a snapshot
+    memory : ``step`` (and ``walls``), for going on from a snapshot
     threads : how many work together; None takes as many as there are processors if there are many particles.
         It changes no bit.
+    seed : of the random numbers of thermal walls
     """
 
     def __init__(
         self,
         state: State,
-        geometry: Rectangle,
+        geometry: Geometry,
         time_step: float,
         tallies: Tallies,
         contacts: Contacts,
         memory: Memory | None = None,
         threads: int | None = None,
+        seed: int = 0,
     ) -> None:
         self.time_step = time_step
         self.tallies = tallies
         self.contacts = contacts
-        self._box = arguments.box(geometry)
         self._threads = threads
+        self._seed = seed
+        self._team: Team | None = None
         self._clock = np.array([int(memory["step"]) if memory else 0], np.int64)
+        state.time = self._time
+        self._enter(state, geometry, memory.get("walls") if memory else None)
+
+    def _enter(self, state: State, geometry: Geometry, rows: NDArray[np.float64] | None = None) -> None:
+        """Take over a geometry; walls that move go on as remembered in `rows`, or from where the state has them."""
+        self._geometry = geometry
+        self._hall = make_hall(geometry, self.tallies.pair_collisions.shape[0], self._seed)
+        if self._hall is not None:
+            start_walls(self._hall, geometry, state, 0.0, rows)
+            self._show_walls(state)
         self.resync(state)
+
+    def alter(self, state: State, geometry: Geometry) -> None:
+        """Take over another geometry at the time of the state; walls that move do so from where they are."""
+        self._enter(state, geometry)
 
     def resync(self, state: State) -> None:
         """Take over the particles of `state`."""
-        self._team = Team(self._threads or _fitting_threads(state.count))
+        threads = self._threads or _fitting_threads(state.count)
+        if self._team is None or self._team.wanted != threads:
+            self._team = Team(threads)
+        self._box = self._box_around(state)
         self._grid = stepped.grid(state.radius, self._box.width, self._box.height)
         self._room = stepped.room(self._grid, state, self._team.threads)
+        self._walls = self._fitting_walls(state)
         state.time = self._time
+
+    def _fitting_walls(self, state: State) -> stepped.Walls | None:
+        if self._hall is None:
+            return None
+        place, rate = np.zeros((2, len(self._hall.wall)))
+        show_walls(self._hall, self._time, place, rate)
+        return stepped.walls(self._hall, self._grid, state.radius, self._box, place)
+
+    def _box_around(self, state: State) -> arguments.Box:
+        """The box that the cells divide; where a side has moved out, a larger one with some room to go on."""
+        box = arguments.box(self._geometry)
+        if not self._moves_out:
+            return box
+        out = np.maximum(state.wall_displacement[[1, 3]], 0.0) * _ROOM
+        return box._replace(width=box.width + float(out[0]), height=box.height + float(out[1]))
+
+    @property
+    def _moves_out(self) -> bool:
+        """Whether sides of the box can move."""
+        geometry = self._geometry
+        return (
+            geometry.moves and isinstance(geometry, Enclosure) and isinstance(geometry.container, Rectangle)
+        )
+
+    def _show_walls(self, state: State) -> None:
+        if self._hall is not None and self._geometry.moves:
+            if not state.wall_displacement.size:
+                state.wall_displacement, state.wall_velocity = np.zeros((2, len(self._hall.wall)))
+            show_walls(self._hall, self._time, state.wall_displacement, state.wall_velocity)
 
     @property
     def _time(self) -> float:
@@ -73,29 +130,87 @@ class Stepped:
 
     def advance(self, state: State, until: float) -> Status:
         """Take whole steps up to the last one at or before `until` [time]."""
-        count = np.array([self.contacts.count], np.int64)
-        book = arguments.ledger(self.tallies, self.contacts, count, state)
         target = self.step_at(until)
+        status = arguments.DONE
         while True:
-            status = self._team.run(
-                stepped.advance,
-                arguments.gas(state),
-                self._box,
-                self._grid,
-                self._room,
-                book,
-                self._clock,
-                target,
-                self.time_step,
-            )
-            if status != stepped.GROW:
+            status = self._take_steps(state, min(target, self._turn_walls()))
+            if status == stepped.GROW:
+                longest = int(self._room.lists.found.max())
+                self._room = self._room._replace(
+                    lists=stepped.lists(self._room.lists.key.shape[0], 2 * longest)
+                )
+                continue
+            if status == arguments.FULL:
                 break
-            longest = int(self._room.lists.found.max())
-            self._room = self._room._replace(lists=stepped.lists(self._team.threads, 2 * longest))
-        self.contacts.count = int(count[0])
+            self._see_off(state)
+            if self._clock[0] >= target:
+                break
         state.time = self._time
+        self._show_walls(state)
         return Status.FULL if status == arguments.FULL else Status.DONE
 
+    def _take_steps(self, state: State, stop: int) -> int:
+        """Let the kernel go on to a step, or to where it needs something."""
+        assert self._team is not None
+        count = np.array([self.contacts.count], np.int64)
+        book = arguments.ledger(self.tallies, self.contacts, count, state)
+        status = self._team.run(
+            stepped.advance,
+            arguments.gas(state),
+            self._box,
+            self._grid,
+            self._room,
+            self._walls,
+            book,
+            self._clock,
+            stop,
+            self.time_step,
+        )
+        self.contacts.count = int(count[0])
+        return status
+
+    def _turn_walls(self) -> int:
+        """Let walls on a path set out on the piece of the next step; return the last step before a piece ends."""
+        last = np.iinfo(np.int64).max
+        if self._hall is None or not isinstance(self._geometry, Enclosure):
+            return int(last)
+        step = int(self._clock[0])
+        time = (step + 1) * self.time_step
+        for number, wall in enumerate(self._geometry.walls):
+            if not isinstance(wall.motion, Path):
+                continue
+            row = self._hall.wall[number]
+            if row[UNTIL] <= time:
+                set_motion(row, self._hall.rule[number], wall.motion, time, 0.0)
+            if row[UNTIL] < math.inf:
+                last = min(last, max(step + 1, self._last_before(float(row[UNTIL]))))
+        return int(last)
+
+    def _last_before(self, time: float) -> int:
+        """The last step before `time`."""
+        step = math.floor(time / self.time_step) + 1
+        while step * self.time_step >= time:
+            step -= 1
+        return step
+
+    def _see_off(self, state: State) -> None:
+        """Let go of the discs that have left, and lay out the cells anew where a side has moved out of them."""
+        if self._walls is None:
+            return
+        if self._walls.cursor[3]:
+            state.keep(self._walls.gone == 0)
+            self._show_walls(state)
+            self.resync(state)
+        elif self._moves_out:
+            self._show_walls(state)
+            needed = arguments.box(self._geometry)
+            out = np.maximum(state.wall_displacement[[1, 3]], 0.0)
+            if needed.width + out[0] > self._box.width or needed.height + out[1] > self._box.height:
+                self.resync(state)
+
     def memory(self) -> Memory:
-        """``step``: steps done since time 0."""
-        return {"step": int(self._clock[0])}
+        """``step``: steps done since time 0; of an enclosure that moves also ``walls``, how each does."""
+        memory: Memory = {"step": int(self._clock[0])}
+        if self._hall is not None and self._geometry.moves:
+            memory["walls"] = wall_rows(self._hall)
+        return memory

@@ -30,6 +30,7 @@ class Team:
     """
 
     def __init__(self, threads: int) -> None:
+        self.wanted = threads
         self.threads = threads if is_compiling() else 1
         self._helpers: ThreadPoolExecutor | None = None
 

@@ -4,7 +4,7 @@ A team of threads drifts, files and looks for touching pairs, each thread on its
 one thread in the prescribed order. So the number of threads changes no bit.
 """
 
-from gasbox.kernels.stepped.advance import GONE, GROW, advance
-from gasbox.kernels.stepped.tables import grid, lists, room
+from gasbox.kernels.stepped.advance import GONE, GROW, LEFT, advance
+from gasbox.kernels.stepped.tables import Walls, grid, lists, room, walls
 
-__all__ = ["GONE", "GROW", "advance", "grid", "lists", "room"]
+__all__ = ["GONE", "GROW", "LEFT", "Walls", "advance", "grid", "lists", "room", "walls"]

@@ -5,20 +5,25 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import DONE, FULL, Box, Gas, Ledger
 from gasbox.kernels.stepped.execute import execute
-from gasbox.kernels.stepped.filing import count, drift, file, number, show
+from gasbox.kernels.stepped.filing import count, drift, file, fly, number, show
 from gasbox.kernels.stepped.look import look
-from gasbox.kernels.stepped.tables import Grid, Room
+from gasbox.kernels.stepped.near import find, mark, move_walls
+from gasbox.kernels.stepped.tables import Grid, Room, Slots, Walls
 from gasbox.kernels.team import meet
 
-__all__ = ["GONE", "GROW", "advance"]
+__all__ = ["GONE", "GROW", "LEFT", "advance"]
 
 GROW = 10
 """Status: the lists of what touches are too short; give longer ones with the same progress and call again."""
 GONE = 11
 """Status: not all threads of the team came."""
+LEFT = 12
+"""Status: so many discs have left the gas that it is time to let go of them."""
+_MANY = 64
+"""Discs that have left before the kernel says so; they cost a little each step."""
 
 _DRIFT, _LOOK, _EXECUTE = 0, 1, 2
 
@@ -33,12 +38,26 @@ def _begin(room: Room, threads: int) -> None:
             room.progress[0] = _LOOK
 
 
+@inlined_kernel
+def _move(
+    slots: Slots, box: Box, walls: Walls | None, time_step: float, time: float, thread: int, threads: int
+) -> None:
+    """Move this thread's share of the discs; the first thread moves the walls."""
+    if walls is None:
+        drift(slots, box, time_step, thread, threads)
+    else:
+        fly(slots, box, walls, time_step, thread, threads)
+        if thread == 0:
+            move_walls(walls, time_step, time)
+
+
 @bare_kernel
 def advance(
     gas: Gas,
     box: Box,
     grid: Grid,
     room: Room,
+    walls: Walls | None,
     book: Ledger,
     clock: NDArray[np.int64],
     target: int,
@@ -51,6 +70,7 @@ def advance(
 
     Parameters
     ----------
+    walls : of an enclosure; None for a plain rectangle, for which the kernel is compiled apart
     clock : (1,) int64, steps done; counted on here
     target : step to stop at
     time_step : [time]
@@ -59,7 +79,7 @@ def advance(
 
     Returns
     -------
-    DONE, FULL (read the contacts, call again), GROW or GONE; the same for each thread.
+    DONE, FULL (read the contacts, call again), GROW, GONE or LEFT; the same for each thread.
     """
     # What other threads may change is read before the first meeting.
     phase, step, turn = room.progress[0], clock[0], room.progress[1]
@@ -69,21 +89,27 @@ def advance(
     while step < target:
         old, new = (room.odd, room.even) if turn == 1 else (room.even, room.odd)
         if phase == _DRIFT:
-            drift(old, box, time_step, thread, threads)
+            _move(old, box, walls, time_step, (step + 1) * time_step, thread, threads)
             count(old, box, grid, room, thread, threads)
             meet(flag, thread, threads)
             number(grid, room, thread, threads)
+            if walls is not None:
+                mark(old, box, grid, walls, thread, threads)
             meet(flag, thread, threads)
             file(old, new, room, thread, threads)
             meet(flag, thread, threads)
         if phase != _EXECUTE:
-            look(new, box, grid, room, thread, threads)
+            look(new, box, grid, room, walls, thread, threads)
+            if walls is not None:
+                find(new, walls, thread, threads)
             meet(flag, thread, threads)
         if thread == 0:
             if phase != _EXECUTE:
                 _begin(room, threads)
             time = (step + 1) * time_step
-            if room.progress[0] == _EXECUTE and execute(new, gas, box, room.lists, book, time, threads):
+            if room.progress[0] == _EXECUTE and execute(
+                new, gas, box, grid, room.lists, walls, book, time, threads
+            ):
                 room.progress[0], room.progress[1], clock[0] = _DRIFT, 1 - turn, step + 1
         meet(flag, thread, threads)
         phase = room.progress[0]
@@ -91,5 +117,8 @@ def advance(
             status = FULL if phase == _EXECUTE else GROW
             break
         step, turn = step + 1, 1 - turn
-    show(room.odd if turn == 1 else room.even, gas, thread, threads)
+        if walls is not None and walls.cursor[3] > _MANY:
+            status = LEFT
+            break
+    show(room.odd if turn == 1 else room.even, gas, walls, thread, threads)
     return status

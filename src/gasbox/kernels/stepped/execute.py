@@ -2,17 +2,52 @@
 
 from __future__ import annotations
 
+import math
+
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange, nearest
 from gasbox.kernels.processor import fetch
-from gasbox.kernels.stepped.tables import Lists, Slots
+from gasbox.kernels.stepped.tables import Grid, Lists, Slots, Walls
+from gasbox.kernels.stepped.visit import divided, visit
 
 __all__ = ["execute"]
 
-
 _AHEAD = 8
 """Entries ahead of the one at hand whose memory is asked for: the next pair is anywhere."""
+
+
+@inlined_kernel
+def _part(a: int, b: int, slots: Slots, gas: Gas, walls: Walls, dx: float, dy: float) -> None:
+    """Under gravity: move an overlapping pair apart about its centre of mass, which costs no energy."""
+    if walls.hall.gx == 0.0 and walls.hall.gy == 0.0:
+        return
+    away = math.sqrt(dx * dx + dy * dy)
+    depth = slots.reach[a] + slots.reach[b] - away
+    if depth <= 0.0 or away == 0.0:
+        return
+    i, j = slots.row[a], slots.row[b]
+    part = depth / away / (gas.mass[i] + gas.mass[j])
+    slots.x[a] += part * gas.mass[j] * dx
+    slots.y[a] += part * gas.mass[j] * dy
+    slots.x[b] -= part * gas.mass[i] * dx
+    slots.y[b] -= part * gas.mass[i] * dy
+    walls.near[i] = walls.near[j] = 1
+
+
+@inlined_kernel
+def _meet(
+    a: int, b: int, slots: Slots, gas: Gas, box: Box, grid: Grid, walls: Walls, time: float, book: Ledger
+) -> None:
+    """As `_collide`, in an enclosure: not through walls, and under gravity nobody sinks into anybody."""
+    dx = nearest(slots.x[a] - slots.x[b], box.width, box.periodic_x)
+    dy = nearest(slots.y[a] - slots.y[b], box.height, box.periodic_y)
+    if (walls.near[slots.row[a]] or walls.near[slots.row[b]]) and divided(
+        a, b, slots, gas, box, grid, walls, dx, dy
+    ):
+        return
+    _collide(a, b, slots, gas, box, time, book)
+    _part(a, b, slots, gas, walls, dx, dy)
 
 
 @inlined_kernel
@@ -61,7 +96,32 @@ def _fetch_discs(slots: Slots, entry: int) -> None:
 
 
 @bare_kernel
-def execute(slots: Slots, gas: Gas, box: Box, lists: Lists, book: Ledger, time: float, threads: int) -> bool:
+def _visit_walls(
+    slots: Slots, gas: Gas, box: Box, grid: Grid, walls: Walls, book: Ledger, time: float
+) -> bool:
+    """All that walls do in this step, disc by disc, from where they stand; False if the contacts are full."""
+    cursor = walls.cursor
+    n = slots.row.shape[0]
+    while cursor[0] < n:
+        if walls.near[cursor[0]] and not visit(cursor[0], slots, gas, box, grid, walls, book, time):
+            return False
+        cursor[0] += 1
+    cursor[0] = 0
+    return True
+
+
+@bare_kernel
+def execute(
+    slots: Slots,
+    gas: Gas,
+    box: Box,
+    grid: Grid,
+    lists: Lists,
+    walls: Walls | None,
+    book: Ledger,
+    time: float,
+    threads: int,
+) -> bool:
     """Execute the lists of all threads merged, from where they stand; return False if the contacts are full."""
     n = slots.row.shape[0]
     while True:
@@ -71,13 +131,18 @@ def execute(slots: Slots, gas: Gas, box: Box, lists: Lists, book: Ledger, time: 
             if entry < lists.found[thread] and (best < 0 or lists.key[thread, entry] < key):
                 best, key = thread, int(lists.key[thread, entry])
         if best < 0:
-            return True
+            break
         if book.kind.shape[0] > 0 and book.rows[0] >= book.kind.shape[0]:
             return False
         entry = int(lists.slot[best, lists.done[best]])
         _fetch_discs(slots, int(lists.slot[best, min(lists.done[best] + _AHEAD, lists.slot.shape[1] - 1)]))
-        if key < n * n:
+        if walls is not None:
+            _meet(entry & 0xFFFFFFFF, entry >> 32, slots, gas, box, grid, walls, time, book)
+        elif key < n * n:
             _collide(entry & 0xFFFFFFFF, entry >> 32, slots, gas, box, time, book)
         else:
             _bounce(entry, (key - n * n) & 3, slots, gas, time, book)
         lists.done[best] += 1
+    if walls is not None:
+        return _visit_walls(slots, gas, box, grid, walls, book, time)
+    return True

@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas
 from gasbox.kernels.grid import cell_of
-from gasbox.kernels.stepped.tables import Grid, Room, Slots
+from gasbox.kernels.stepped.tables import Grid, Room, Slots, Walls
 from gasbox.kernels.team import share
 
-__all__ = ["count", "drift", "file", "number", "show"]
+__all__ = ["count", "drift", "file", "fly", "number", "show"]
 
 
 @bare_kernel
@@ -31,6 +31,31 @@ def _drift_along(
     if periodic:
         for slot in range(place.shape[0]):
             place[slot] -= np.floor(place[slot] / length) * length
+
+
+@bare_kernel
+def fly(slots: Slots, box: Box, walls: Walls, time_step: float, thread: int, threads: int) -> None:
+    """Move this thread's share of the particles in an enclosure, on exact parabolas, and note where they came from."""
+    begin, end = share(slots.row.shape[0], thread, threads)
+    gx, gy = walls.hall.gx, walls.hall.gy
+    fall_x, fall_y = 0.5 * gx * time_step * time_step, 0.5 * gy * time_step * time_step
+    for slot in range(begin, end):
+        row = slots.row[slot]
+        if walls.gone[row]:
+            continue
+        x, y = slots.x[slot], slots.y[slot]
+        to_x = x + slots.vx[slot] * time_step + fall_x
+        to_y = y + slots.vy[slot] * time_step + fall_y
+        if box.periodic_x:
+            shift = np.floor(to_x / box.width) * box.width
+            to_x, x = to_x - shift, x - shift
+        if box.periodic_y:
+            shift = np.floor(to_y / box.height) * box.height
+            to_y, y = to_y - shift, y - shift
+        walls.before[row, 0], walls.before[row, 1] = x, y
+        slots.x[slot], slots.y[slot] = to_x, to_y
+        slots.vx[slot] += gx * time_step
+        slots.vy[slot] += gy * time_step
 
 
 @bare_kernel
@@ -102,12 +127,14 @@ def file(old: Slots, new: Slots, room: Room, thread: int, threads: int) -> None:
 
 
 @bare_kernel
-def show(slots: Slots, gas: Gas, thread: int, threads: int) -> None:
-    """Write this thread's share of the particles into the state."""
+def show(slots: Slots, gas: Gas, walls: Walls | None, thread: int, threads: int) -> None:
+    """Write this thread's share of the particles into the state; those that have left stay as they were shown last."""
     position, velocity = gas.position, gas.velocity
     begin, end = share(slots.row.shape[0], thread, threads)
     for slot in range(begin, end):
         row = slots.row[slot]
+        if walls is not None and walls.gone[row]:
+            continue
         position[row, 0] = slots.x[slot]
         position[row, 1] = slots.y[slot]
         velocity[row, 0] = slots.vx[slot]

@@ -10,7 +10,7 @@ from gasbox.kernels.arguments import Box
 from gasbox.kernels.collision import nearest
 from gasbox.kernels.grid import cell_of, span
 from gasbox.kernels.sorting import sort
-from gasbox.kernels.stepped.tables import Grid, Lists, Room, Slots
+from gasbox.kernels.stepped.tables import Grid, Lists, Room, Slots, Walls
 from gasbox.kernels.team import share
 
 __all__ = ["look"]
@@ -141,8 +141,13 @@ def _walls(begin: int, end: int, box: Box, slots: Slots, lists: Lists, thread: i
 
 
 @bare_kernel
-def look(slots: Slots, box: Box, grid: Grid, room: Room, thread: int, threads: int) -> None:
-    """List, in this thread's share of the slots, what touches; in ascending order if there is room for all."""
+def look(
+    slots: Slots, box: Box, grid: Grid, room: Room, walls: Walls | None, thread: int, threads: int
+) -> None:
+    """List, in this thread's share of the slots, what touches; in ascending order if there is room for all.
+
+    Walls of a plain rectangle are listed as well; those of an enclosure are not.
+    """
     start, lists = room.end[threads - 1], room.lists
     first_slot, last_slot = share(slots.row.shape[0], thread, threads)
     found = 0
@@ -151,7 +156,8 @@ def look(slots: Slots, box: Box, grid: Grid, room: Room, thread: int, threads: i
         begin, end = max(first_slot, start[grid.first[own]]), min(last_slot, start[grid.first[own + 1]])
         for level in range(own, levels):
             found = _level(level, begin, end, level == own, grid, box, slots, start, lists, thread, found)
-    found = _walls(first_slot, last_slot, box, slots, lists, thread, found)
+    if walls is None:
+        found = _walls(first_slot, last_slot, box, slots, lists, thread, found)
     lists.found[thread] = found
     if found <= lists.key.shape[1]:
         sort(lists.key[thread], lists.slot[thread], found)

@@ -11,10 +11,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from gasbox.kernels.arguments import Box
 from gasbox.kernels.grid import classes
+from gasbox.kernels.hall import Hall, with_cells
 from gasbox.state import State
 
-__all__ = ["Grid", "Lists", "Room", "Slots", "grid", "lists", "room"]
+__all__ = ["Grid", "Lists", "Room", "Slots", "Walls", "grid", "lists", "room", "walls"]
 
 _SPACING = 0.5
 """Least width of a cell, in mean distances of the discs of its level."""
@@ -72,6 +74,35 @@ class Lists(NamedTuple):
     done: NDArray[np.int64]
 
 
+class Walls(NamedTuple):
+    """An enclosure, and what is kept beside it. Rows are those of the state.
+
+    Attributes
+    ----------
+    hall : the enclosure, with lists for the cells of the grid
+    start, place : (walls,) float64, displacement of each wall at the begin and at the end of the step [length]
+    before : (n, 2) float64, where the way of this step began; unwrapped, so that it leads straight here [length]
+    slot : (n,) int32, slot of each particle
+    near : (n,) int8, 1 for a particle that may have to do with a wall in this step
+    gone : (n,) int8, 1 for a particle that has left the gas
+    largest : (levels,) float64, largest radius in each level [length]
+    cursor : (4,) int64, how far the walls are in this step: row, part of its visit, the last thing done there; and
+        how many discs are gone
+    put : (4,) float64, room for what `gasbox.kernels.stepped.ways` finds
+    """
+
+    hall: Hall
+    start: NDArray[np.float64]
+    place: NDArray[np.float64]
+    before: NDArray[np.float64]
+    slot: NDArray[np.int32]
+    near: NDArray[np.int8]
+    gone: NDArray[np.int8]
+    largest: NDArray[np.float64]
+    cursor: NDArray[np.int64]
+    put: NDArray[np.float64]
+
+
 class Room(NamedTuple):
     """Working memory of a team.
 
@@ -104,6 +135,33 @@ def grid(radius: NDArray[np.float64], width: float, height: float, ratio: float 
     rows = np.maximum(1, np.floor(height / side)).astype(np.int64)
     first = np.concatenate([np.zeros(1, np.int64), np.cumsum(columns * rows)]).astype(np.int64)
     return Grid(level, columns, rows, first)
+
+
+def walls(hall: Hall, grid: Grid, radius: NDArray[np.float64], box: Box, place: NDArray[np.float64]) -> Walls:
+    """Walls for discs of these radii (n,) [length] in an enclosure.
+
+    Parameters
+    ----------
+    box : around it, as the grid divides it
+    place : (walls,) float64, displacements now [length]; taken over
+    """
+    n = radius.size
+    largest = np.array(
+        [radius[grid.level == level].max(initial=0.0) for level in range(grid.columns.size)], np.float64
+    )
+    size, periodic = np.array([box.width, box.height]), np.array([box.periodic_x, box.periodic_y])
+    return Walls(
+        hall=with_cells(hall, size, periodic, grid.columns, grid.rows, grid.first[:-1].copy(), largest),
+        start=place.copy(),
+        place=place,
+        before=np.zeros((n, 2)),
+        slot=np.zeros(n, np.int32),
+        near=np.zeros(n, np.int8),
+        gone=np.zeros(n, np.int8),
+        largest=largest,
+        cursor=np.zeros(4, np.int64),
+        put=np.zeros(4),
+    )
 
 
 def lists(threads: int, capacity: int) -> Lists:
