@@ -1,21 +1,43 @@
 """Formulas of the two-dimensional gas: what measurements are held against.
 
 `maxwell` (laws of speed and energy), `hard_disc` and `mixture` (pressure, contact values), `kolafa_rottner`
-and `virial` (numbers behind them), `kinetic` (collision rates, free paths), `finite` (few particles),
-`ranges` (axes).
+and `virial` (numbers behind them), `fluid` (what follows from them), `kinetic` (collision rates, free paths),
+`finite` (few particles), `gravity` and `sediment` (columns of points and of discs), `walls` (hits, thermal
+walls, slits), `adiabat` (work and entropy), `piston` (a gas as a spring), `ranges` (axes).
 """
 
-from gasbox.theory import finite, hard_disc, kinetic, kolafa_rottner, maxwell, mixture, ranges, virial
+from gasbox.theory import (
+    adiabat,
+    finite,
+    fluid,
+    gravity,
+    hard_disc,
+    kinetic,
+    kolafa_rottner,
+    maxwell,
+    mixture,
+    piston,
+    ranges,
+    sediment,
+    virial,
+    walls,
+)
 from gasbox.theory.mixture import Mixture
 
 __all__ = [
     "Mixture",
+    "adiabat",
     "finite",
+    "fluid",
+    "gravity",
     "hard_disc",
     "kinetic",
     "kolafa_rottner",
     "maxwell",
     "mixture",
+    "piston",
     "ranges",
+    "sediment",
     "virial",
+    "walls",
 ]

@@ -7,8 +7,8 @@ d(P/T)/dn = Z + eta dZ/d eta is the slope of either, eta dmu/d eta = T S and d(e
 Equations of state go by their names in `hard_disc.EQUATIONS`. Functions take a float or an array first and
 return the same; outside the range of the equation they give not-a-number.
 
-Source: J.-P. Hansen and I. R. McDonald, Theory of Simple Liquids, 4th ed. (Academic Press, 2013), ch. 2 and
-sec. 3.9, doi:10.1016/C2010-0-66723-X; the integrals of each equation are elementary.
+Source: J.-P. Hansen and I. R. McDonald, Theory of Simple Liquids, 4th ed. (Academic Press, 2013), chs. 2
+and 3, doi:10.1016/C2010-0-66723-X; the integrals of each equation are elementary.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ CLOSE_PACKED: Final = math.pi / math.sqrt(12.0)
 """Area fraction of equal discs in a triangular lattice, 0.907: no more fit, whatever an equation says."""
 
 _LOWEST: Final = -700.0
-"""Chemical potentials over T from here down are empty space: exp(-700) is 1e-304."""
+"""Chemical potentials over T from here down are taken for empty space: exp(-700) is 1e-304."""
 
 
 def greatest_area_fraction(equation: str = "kolafa-rottner") -> float:
@@ -80,7 +80,7 @@ def area_fraction_at(potential: Real, equation: str = "kolafa-rottner") -> Real:
     """
     level: Any = np.maximum(potential, _LOWEST)
     if equation == "ideal":
-        ideal: Real = np.exp(level)
+        ideal: Real = pick(np.less_equal(potential, _LOWEST), 0.0, np.exp(level))
         return ideal
     end = greatest_area_fraction(equation)
     top = chemical_potential(end, equation)
@@ -92,8 +92,9 @@ def area_fraction_at(potential: Real, equation: str = "kolafa-rottner") -> Real:
 
     # What exceeds ln eta lies between 0 and its value at the end of the range.
     bounds = level - (top - math.log(end)), np.minimum(level, math.log(end))
-    fraction: Real = pick(np.less_equal(potential, top), np.exp(rising_root(distance, *bounds)), np.nan)
-    return fraction
+    fraction = pick(np.less_equal(potential, top), np.exp(rising_root(distance, *bounds)), np.nan)
+    result: Real = pick(np.less_equal(potential, _LOWEST), 0.0, fraction)
+    return result
 
 
 def _henderson_slope(eta: Any) -> Any:

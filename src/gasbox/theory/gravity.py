@@ -26,6 +26,7 @@ from gasbox.theory.real import Real, pick
 
 __all__ = [
     "density",
+    "effective_height",
     "expected_height_counts",
     "heat_capacity",
     "height_cdf",
@@ -68,7 +69,7 @@ def density(height: Real, count: float, width: float, scale: float, room: float 
     """
     y = _within(height, room)
     outside = np.logical_or(np.less(height, 0.0), np.greater(height, room))
-    value: Real = pick(outside, 0.0, count / (width * _effective_height(scale, room)) * np.exp(-y / scale))
+    value: Real = pick(outside, 0.0, count / (width * effective_height(scale, room)) * np.exp(-y / scale))
     return value
 
 
@@ -102,6 +103,11 @@ def expected_height_counts(
         return count * np.diff(y) / room
     share = np.exp(-y[:-1] / scale) * np.expm1(-np.diff(y) / scale) / math.expm1(-room / scale)
     return count * share + 0.0
+
+
+def effective_height(scale: float, room: float = math.inf) -> float:
+    """ell (1 - exp(-H/ell)) [length]: at the floor's density everywhere, points would fill this height."""
+    return room if math.isinf(scale) else -scale * math.expm1(-room / scale)
 
 
 def mean_height(scale: float, room: float = math.inf) -> float:
@@ -148,11 +154,6 @@ def _within(height: Real, room: float) -> Real:
     """`height` with everything outside the room moved to its nearer end."""
     inside: Real = np.clip(height, 0.0, room)
     return inside
-
-
-def _effective_height(scale: float, room: float) -> float:
-    """ell (1 - exp(-H/ell)) [length]: a gas with the floor's density everywhere would be this high."""
-    return room if math.isinf(scale) else -scale * math.expm1(-room / scale)
 
 
 def _falling_share(x: float) -> float:

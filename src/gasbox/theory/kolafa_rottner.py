@@ -72,7 +72,8 @@ def compressibility_slope(area_fraction: Real) -> Real:
 def excess_free_energy(area_fraction: Real) -> Real:
     """int_0^eta (Z - 1)/eta d eta: free energy per disc of the bulk fluid over T, less the ideal gas's."""
     x = _argument(area_fraction)
-    return _valid(area_fraction, _INTEGRAL(x) + _REST.coef[0] * np.log1p(x))
+    value: Real = _INTEGRAL(x) + float(_REST.coef[0]) * np.log1p(x)
+    return _valid(area_fraction, value)
 
 
 def finite_compressibility(area_fraction: Real, count: int) -> Real:

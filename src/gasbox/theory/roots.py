@@ -7,7 +7,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from gasbox.theory.real import Real
+from gasbox.theory.real import Real, pick
 
 __all__ = ["rising_root"]
 
@@ -24,14 +24,15 @@ def rising_root(function: Callable[[Any], tuple[Any, Any]], low: Real, high: Rea
     function : of an argument shaped as the bounds, gives the value there and the slope, > 0
     low, high : bounds with the root between them; if there is none, the nearer bound is returned
     """
+    below: Any = low
+    above: Any = high
     root: Any = high
     for _ in range(_STEPS):
         value, slope = function(root)
-        low = np.where(value <= 0.0, root, low)[()]
-        high = np.where(value >= 0.0, root, high)[()]
+        below = pick(value <= 0.0, root, below)
+        above = pick(value >= 0.0, root, above)
         step = root - value / slope
-        middle = 0.5 * (low + high)
-        following = np.where((step >= low) & (step <= high), step, middle)[()]
+        following = pick((step >= below) & (step <= above), step, 0.5 * (below + above))
         moved = np.abs(following - root) > _CLOSE * np.maximum(np.abs(following), 1.0)
         root = following
         if not np.any(moved):

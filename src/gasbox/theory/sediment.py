@@ -10,13 +10,14 @@ few diameters of a floor are not in it, so average profiles over a diameter at l
 ell) are those of `gravity`. Where the floor is denser than the equation of state allows, functions give
 not-a-number: there the gas freezes from below.
 
-Source: J.-P. Hansen and I. R. McDonald, Theory of Simple Liquids, 4th ed. (Academic Press, 2013), sec. 6.2,
+Source: J.-P. Hansen and I. R. McDonald, Theory of Simple Liquids, 4th ed. (Academic Press, 2013), ch. 6,
 doi:10.1016/C2010-0-66723-X (the local-density approximation).
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any, Final
 
 import numpy as np
@@ -34,9 +35,11 @@ from gasbox.theory.roots import rising_root
 
 __all__ = ["floor_area_fraction", "hard_disc_density", "hard_disc_mean_height"]
 
-_WEIGHTLESS: Final = 1e-5
-"""Below this H/ell the linear answer to gravity is exact to ten digits, and differences are not."""
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(64)
+_SHALLOW: Final = 1.0
+"""Below this H/ell profiles are averaged over the height; above it differences lose no digits."""
+_NODES: Final = 0.5 + 0.5 * np.polynomial.legendre.leggauss(64)[0]
+_WEIGHTS: Final = 0.5 * np.polynomial.legendre.leggauss(64)[1]
+"""Gauss and Legendre's rule on 0 to 1."""
 
 
 def floor_area_fraction(
@@ -98,56 +101,69 @@ def hard_disc_mean_height(
 
     Without a lid, in a dilute gas, ell + B_2 N/(2 W) with B_2 = pi sigma²/2.
     """
-    if radius == 0.0 or equation == "ideal":
+    if radius == 0.0 or count == 0.0 or equation == "ideal":
         return gravity.mean_height(scale, room)
-    floor = _floor_potential(count, width, radius, scale, room, equation)
-    rise = room / scale
-    bottom = area_fraction_at(floor, equation)
-    if rise < _WEIGHTLESS:
-        return room * (0.5 - rise / (12.0 * stiffness(bottom, equation)))
-    top = area_fraction_at(floor - rise, equation)
+    floor, rise = _floor_potential(count, width, radius, scale, room, equation), room / scale
+    if rise < _SHALLOW:
+        eta = area_fraction_at(floor - rise * _NODES, equation)
+        return room * float(np.sum(_WEIGHTS * _NODES * eta) / np.sum(_WEIGHTS * eta))
+    bottom, top = area_fraction_at(floor, equation), area_fraction_at(floor - rise, equation)
+    lid = rise * _reduced_pressure(top, equation) if top > 0.0 else 0.0
     weight = _weight(count, width, radius, scale)
-    lid = rise * top * compressibility(top, equation) if math.isfinite(rise) else 0.0
     return scale * (_pressure_integral(top, bottom, equation) - lid) / weight
 
 
 def _weight(count: float, width: float, radius: float, scale: float) -> float:
-    """N pi R²/(W ell): weight per width in units of T/(pi R²)."""
+    """N pi R²/(W ell): weight per width in units of T/(pi R²), as is the pressure eta Z."""
     return count * math.pi * radius**2 / (width * scale)
+
+
+def _reduced_pressure(eta: float, equation: str) -> float:
+    """Eta Z: pressure in units of T/(pi R²)."""
+    return eta * compressibility(eta, equation)
 
 
 def _floor_potential(
     count: float, width: float, radius: float, scale: float, room: float, equation: str
 ) -> float:
     """Chemical potential over T at the floor; not a number if the discs would be too dense there."""
-    rise = room / scale
-    if rise < _WEIGHTLESS:
-        even = count * math.pi * radius**2 / (width * room)
-        return chemical_potential(even, equation) + 0.5 * rise
-    weight = _weight(count, width, radius, scale)
+    if count == 0.0:
+        return -math.inf
     end = greatest_area_fraction(equation)
-
-    def excess(potential: float) -> tuple[float, float]:
-        bottom, top = area_fraction_at(potential, equation), area_fraction_at(potential - rise, equation)
-        borne = bottom * compressibility(bottom, equation) - top * compressibility(top, equation)
-        return borne - weight, bottom - top
-
-    # At the floor eta is above its mean, and, since Z >= 1 and S >= 1, below that of points.
-    mean, points = weight / rise, -weight / math.expm1(-rise)
+    # At the floor discs are denser than on average, and, since S >= 1, not denser than points would be.
+    mean = count * math.pi * radius**2 / (width * room)
+    points = count * math.pi * radius**2 / (width * gravity.effective_height(scale, room))
+    dense = min(points, end)
     if not mean < end:
         return math.nan
-    high = chemical_potential(min(points, end), equation)
-    if points >= end and excess(high)[0] < 0.0:
+    load = _load(mean, _weight(count, width, radius, scale), room / scale, equation)
+    high = chemical_potential(dense, equation)
+    if points >= end and load(high)[0] < 0.0:
         return math.nan
-    # A pressure eta Z is at most eta times the greatest Z.
-    least = max(mean, weight / compressibility(min(points, end), equation))
-    return rising_root(excess, chemical_potential(min(least, end), equation), high)
+    # The floor bears the whole weight, and its eta Z is at most eta times the greatest Z.
+    least = max(mean, _weight(count, width, radius, scale) / compressibility(dense, equation))
+    return rising_root(load, chemical_potential(min(least, dense), equation), high)
+
+
+def _load(mean: float, weight: float, rise: float, equation: str) -> Callable[[float], tuple[float, float]]:
+    """By how much too many discs a potential at the floor holds, and the slope of that."""
+
+    def shallow(potential: float) -> tuple[float, float]:
+        eta = area_fraction_at(potential - rise * _NODES, equation)
+        slope = np.sum(_WEIGHTS * eta / stiffness(eta, equation))
+        return float(np.sum(_WEIGHTS * eta)) - mean, float(slope)
+
+    def deep(potential: float) -> tuple[float, float]:
+        bottom, top = area_fraction_at(potential, equation), area_fraction_at(potential - rise, equation)
+        borne = _reduced_pressure(bottom, equation) - _reduced_pressure(top, equation)
+        return borne - weight, bottom - top
+
+    return shallow if rise < _SHALLOW else deep
 
 
 def _pressure_integral(top: float, bottom: float, equation: str) -> float:
     """int Z d(eta Z) from `top` to `bottom`, as (eta Z² + int Z² d eta)/2: no slope of Z is needed."""
-    half = 0.5 * (bottom - top)
-    eta = 0.5 * (bottom + top) + half * _NODES
-    inner = half * float(np.sum(_WEIGHTS * compressibility(eta, equation) ** 2))
-    ends = (value * compressibility(value, equation) ** 2 for value in (bottom, top))
-    return 0.5 * (next(ends) - next(ends) + inner)
+    z = compressibility(top + (bottom - top) * _NODES, equation)
+    inner = (bottom - top) * float(np.sum(_WEIGHTS * z**2))
+    outer = bottom * compressibility(bottom, equation) ** 2 - top * compressibility(top, equation) ** 2
+    return 0.5 * (outer + inner)
