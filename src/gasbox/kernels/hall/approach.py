@@ -119,7 +119,7 @@ def _wave_fall(
             return math.inf
         f = c + b * t + 0.5 * a * t * t - face * (displacement(hall, number, begin + t) - place - rate * t)
         slope = b + a * t - face * (speed(hall, number, begin + t) - rate)
-        if f <= _CLOSE * (abs(c) + abs(b) * t) and slope < 0.0:
+        if abs(f) <= _CLOSE * (abs(c) + abs(b) * t) and slope < 0.0:
             for _ in range(3):
                 more = f / slope
                 t -= more
@@ -283,7 +283,7 @@ def _touch_corner(
         if not t <= limit:
             return math.inf
         f, slope = _near_corner(hall, e, x, y, vx, vy, gx, gy, t, reach, begin)
-        if f <= _CLOSE * scale and slope < 0.0:
+        if abs(f) <= _CLOSE * scale and slope < 0.0:
             for _ in range(3):
                 t -= f / slope
                 f, slope = _near_corner(hall, e, x, y, vx, vy, gx, gy, t, reach, begin)
@@ -323,7 +323,7 @@ def _touch_rim(
         if not t <= limit:
             return math.inf
         f, slope = _within_rim(x, y, vx, vy, gx, gy, t, room)
-        if f <= _CLOSE * room * room and slope < 0.0:
+        if abs(f) <= _CLOSE * room * room and slope < 0.0:
             for _ in range(3):
                 t -= f / slope
                 f, slope = _within_rim(x, y, vx, vy, gx, gy, t, room)
