@@ -94,7 +94,7 @@ def advance(
             meet(flag, thread, threads)
             number(grid, room, thread, threads)
             if walls is not None:
-                mark(old, box, grid, walls, thread, threads)
+                mark(old, box, grid, room.cell, walls, thread, threads)
             meet(flag, thread, threads)
             file(old, new, room, thread, threads)
             meet(flag, thread, threads)

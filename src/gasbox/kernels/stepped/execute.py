@@ -8,11 +8,15 @@ from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange, nearest
 from gasbox.kernels.processor import fetch
+from gasbox.kernels.stepped.between import divided
 from gasbox.kernels.stepped.tables import Grid, Lists, Slots, Walls
-from gasbox.kernels.stepped.visit import divided, visit
+from gasbox.kernels.stepped.visit import visit
+from gasbox.kernels.stepped.ways import NONE, choices, elements, way_of
 
 __all__ = ["execute"]
 
+_PUSHED = 2
+"""Mark of a disc that came near a wall, if at all, only when it was pushed."""
 _AHEAD = 8
 """Entries ahead of the one at hand whose memory is asked for: the next pair is anywhere."""
 
@@ -32,7 +36,8 @@ def _part(a: int, b: int, slots: Slots, gas: Gas, walls: Walls, dx: float, dy: f
     slots.y[a] += part * gas.mass[j] * dy
     slots.x[b] -= part * gas.mass[i] * dx
     slots.y[b] -= part * gas.mass[i] * dy
-    walls.near[i] = walls.near[j] = 1
+    walls.near[i] = walls.near[i] or _PUSHED
+    walls.near[j] = walls.near[j] or _PUSHED
 
 
 @inlined_kernel
@@ -42,7 +47,7 @@ def _meet(
     """As `_collide`, in an enclosure: not through walls, and under gravity nobody sinks into anybody."""
     dx = nearest(slots.x[a] - slots.x[b], box.width, box.periodic_x)
     dy = nearest(slots.y[a] - slots.y[b], box.height, box.periodic_y)
-    if (walls.near[slots.row[a]] or walls.near[slots.row[b]]) and divided(
+    if (walls.near[slots.row[a]] == 1 or walls.near[slots.row[b]] == 1) and divided(
         a, b, slots, gas, box, grid, walls, dx, dy
     ):
         return
@@ -95,6 +100,20 @@ def _fetch_discs(slots: Slots, entry: int) -> None:
         fetch(slots.row, slot)
 
 
+@inlined_kernel
+def _is_clear(row: int, slots: Slots, box: Box, grid: Grid, walls: Walls) -> bool:
+    """Whether a disc that was only pushed is far from all walls."""
+    if walls.near[row] != _PUSHED:
+        return False
+    way = way_of(row, slots, walls)
+    if (box.periodic_x and not 0.0 <= way[2] < box.width) or (
+        box.periodic_y and not 0.0 <= way[3] < box.height
+    ):
+        return False
+    where = elements(way, grid.level[row], box, grid, walls)
+    return where[0] != NONE and choices(where, walls) == 0
+
+
 @bare_kernel
 def _visit_walls(
     slots: Slots, gas: Gas, box: Box, grid: Grid, walls: Walls, book: Ledger, time: float
@@ -103,7 +122,10 @@ def _visit_walls(
     cursor = walls.cursor
     n = slots.row.shape[0]
     while cursor[0] < n:
-        if walls.near[cursor[0]] and not visit(cursor[0], slots, gas, box, grid, walls, book, time):
+        row = cursor[0]
+        if walls.near[row] and not (
+            _is_clear(row, slots, box, grid, walls) or visit(row, slots, gas, box, grid, walls, book, time)
+        ):
             return False
         cursor[0] += 1
     cursor[0] = 0

@@ -46,10 +46,10 @@ def fly(slots: Slots, box: Box, walls: Walls, time_step: float, thread: int, thr
         x, y = slots.x[slot], slots.y[slot]
         to_x = x + slots.vx[slot] * time_step + fall_x
         to_y = y + slots.vy[slot] * time_step + fall_y
-        if box.periodic_x:
+        if box.periodic_x and not 0.0 <= to_x < box.width:
             shift = np.floor(to_x / box.width) * box.width
             to_x, x = to_x - shift, x - shift
-        if box.periodic_y:
+        if box.periodic_y and not 0.0 <= to_y < box.height:
             shift = np.floor(to_y / box.height) * box.height
             to_y, y = to_y - shift, y - shift
         walls.before[row, 0], walls.before[row, 1] = x, y

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box
 from gasbox.kernels.hall.motion import displacement
@@ -35,7 +38,7 @@ from gasbox.kernels.hall.tables import (
     Hall,
 )
 from gasbox.kernels.stepped.tables import Grid, Slots, Walls
-from gasbox.kernels.stepped.ways import NONE, Way, choices, choose, elements
+from gasbox.kernels.stepped.ways import Way, choices, choose
 from gasbox.kernels.team import share
 
 __all__ = ["find", "mark", "move_walls"]
@@ -103,29 +106,38 @@ def _may_meet(walls: Walls, e: int, sx: float, sy: float, way: Way, most: float)
 
 
 @bare_kernel
-def _is_near(way: Way, level: int, box: Box, grid: Grid, walls: Walls) -> bool:
-    where = elements(way, level, box, grid, walls)
-    if where[0] == NONE:
-        return True
+def _is_near(way: Way, where: tuple[int, int, int], most: float, box: Box, walls: Walls) -> bool:
     for choice in range(choices(where, walls)):
         e, image_x, image_y = choose(choice, where, walls)
-        sx, sy = image_x * box.width, image_y * box.height
-        if _may_meet(walls, e, sx, sy, way, walls.largest[level]):
+        if _may_meet(walls, e, image_x * box.width, image_y * box.height, way, most):
             return True
     return False
 
 
 @bare_kernel
-def mark(slots: Slots, box: Box, grid: Grid, walls: Walls, thread: int, threads: int) -> None:
-    """Mark this thread's share of the discs: those that may touch or cross a wall."""
+def mark(
+    slots: Slots, box: Box, grid: Grid, cell: NDArray[np.int32], walls: Walls, thread: int, threads: int
+) -> None:
+    """Mark this thread's share of the discs: those that may touch or cross a wall.
+
+    cell : (n,) of the disc in each slot
+    """
     begin, end = share(slots.row.shape[0], thread, threads)
+    first, moves = walls.hall.first, walls.hall.moving.shape[0] > 0
+    across, along = 1 if box.periodic_x else 0, 1 if box.periodic_y else 0
     for slot in range(begin, end):
         row = slots.row[slot]
+        ax, ay, bx, by = walls.before[row, 0], walls.before[row, 1], slots.x[slot], slots.y[slot]
+        most = walls.largest[grid.level[row]]
+        if (bx - ax) * (bx - ax) + (by - ay) * (by - ay) > most * most:
+            walls.near[row] = 1
+        elif moves or first[cell[slot] + 1] > first[cell[slot]]:
+            way = ax, ay, bx, by, slots.reach[slot]
+            walls.near[row] = 1 if _is_near(way, (cell[slot], across, along), most, box, walls) else 0
+        else:
+            walls.near[row] = 0
         if walls.gone[row]:
             walls.near[row] = 0
-            continue
-        way = walls.before[row, 0], walls.before[row, 1], slots.x[slot], slots.y[slot], slots.reach[slot]
-        walls.near[row] = 1 if _is_near(way, grid.level[row], box, grid, walls) else 0
 
 
 @bare_kernel

@@ -5,29 +5,26 @@ from __future__ import annotations
 import math
 
 from gasbox.jit import bare_kernel, inlined_kernel
-from gasbox.kernels.arguments import Box, Gas, Ledger, book_crossing, book_hall
+from gasbox.kernels.arguments import Box, Gas, Ledger, book_crossing
 from gasbox.kernels.hall.motion import speed
-from gasbox.kernels.hall.rebound import rebound
 from gasbox.kernels.hall.tables import (
     CORNER,
     FACES,
     HIGH,
     KIND,
     LOW,
-    MASS,
     NX,
     NY,
     OPEN,
     PX,
     PY,
     RHO,
-    S_SPEED,
     SIDE,
     TX,
     TY,
     WALL,
-    Hall,
 )
+from gasbox.kernels.stepped.bounce import bounce, leave
 from gasbox.kernels.stepped.tables import Grid, Slots, Walls
 from gasbox.kernels.stepped.ways import (
     NONE,
@@ -39,17 +36,17 @@ from gasbox.kernels.stepped.ways import (
     lets_pass,
     put_back,
     side_crossing,
+    way_of,
 )
 
-__all__ = ["PARKED", "divided", "visit"]
+__all__ = ["visit"]
 
 _CROSS, _TOUCH, _COUNT = 0, 1, 2
 """The parts of a visit."""
 _ATTEMPTS = 8
 """Times that a disc is put back in a step; one needs more only between walls that crush it."""
-PARKED = 4.0
-"""Boxes between discs that have left, and everybody else."""
-_ROW, _PART, _DONE, _LEFT = range(4)
+_PART, _DONE = 1, 2
+"""Columns of the cursor."""
 
 
 @inlined_kernel
@@ -63,116 +60,6 @@ def _code(e: int, image_x: int, image_y: int) -> int:
     return (e * 256 + image_y + 128) * 256 + image_x + 128
 
 
-@inlined_kernel
-def _lift(
-    hall: Hall,
-    number: int,
-    along: float,
-    nx: float,
-    ny: float,
-    slot: int,
-    slots: Slots,
-    mass: float,
-    u: float,
-    lift: float,
-) -> tuple[float, float]:
-    """Take what a disc was lifted by (per mass, < 0) from its speed towards a wall; impulse, and what was lacking."""
-    heavy = hall.wall[number, MASS]
-    share = (mass + heavy) / heavy if heavy > 0.0 else 1.0
-    toward = slots.vx[slot] * nx + slots.vy[slot] * ny - u
-    square = toward * toward + 2.0 * share * lift
-    lacking = max(-0.5 * mass / share * square, 0.0)
-    impulse = mass / share * (-math.sqrt(max(square, 0.0)) - toward)
-    slots.vx[slot] += impulse / mass * nx
-    slots.vy[slot] += impulse / mass * ny
-    if heavy > 0.0:
-        hall.wall[number, S_SPEED] -= impulse / heavy * along
-    return impulse, lacking
-
-
-@bare_kernel
-def _bounce(
-    e: int,
-    nx: float,
-    ny: float,
-    to_x: float,
-    to_y: float,
-    row: int,
-    slots: Slots,
-    gas: Gas,
-    walls: Walls,
-    book: Ledger,
-    time: float,
-) -> None:
-    """Put a disc to (to_x, to_y) and turn it round if it approaches; its energy stays, or is booked."""
-    hall = walls.hall
-    result = hall.result
-    slot, mass, number = walls.slot[row], gas.mass[row], hall.kind[e, WALL]
-    lift = hall.gx * (to_x - slots.x[slot]) + hall.gy * (to_y - slots.y[slot])
-    slots.x[slot], slots.y[slot] = to_x, to_y
-    along = hall.shape[e, NX] * nx + hall.shape[e, NY] * ny
-    u = speed(hall, number, time) * along
-    vx, vy = slots.vx[slot], slots.vy[slot]
-    if vx * nx + vy * ny - u > 0.0:
-        book.rest_energy[0] -= mass * lift
-        return
-    impulse, lacking = 0.0, 0.0
-    if lift != 0.0:
-        impulse, lacking = _lift(hall, number, along, nx, ny, slot, slots, mass, u, lift)
-    label, r = book.id[row], gas.radius[row]
-    result[0], result[1] = slots.vx[slot], slots.vy[slot]
-    result[2] = result[3] = result[4] = result[5] = 0.0
-    # The number of the element keeps two meetings in one step from drawing the same random numbers.
-    turned = rebound(hall, e, nx, ny, slots.vx[slot], slots.vy[slot], mass, r, label, time, float(e), result)
-    if not turned and impulse == 0.0:
-        return
-    slots.vx[slot], slots.vy[slot] = result[0], result[1]
-    result[2] += impulse
-    result[5] += lacking
-    if lift != 0.0:
-        gained = 0.5 * mass * (result[0] ** 2 + result[1] ** 2 - vx * vx - vy * vy) - mass * lift
-        moves = u != 0.0 or hall.wall[number, MASS] > 0.0
-        result[3] = gained - result[4] - result[5] if moves else 0.0
-    book_hall(
-        book, gas.species[row], row, number, time, mass * (result[0] - vx), mass * (result[1] - vy), result
-    )
-
-
-@inlined_kernel
-def _leave(
-    e: int,
-    sx: float,
-    sy: float,
-    row: int,
-    slots: Slots,
-    gas: Gas,
-    box: Box,
-    walls: Walls,
-    book: Ledger,
-    time: float,
-) -> None:
-    """A disc leaves the gas through an open wall."""
-    hall = walls.hall
-    slot, mass, number = walls.slot[row], gas.mass[row], hall.kind[e, WALL]
-    vx, vy = slots.vx[slot], slots.vy[slot]
-    along = False
-    if hall.kind[e, KIND] == SIDE:
-        x, y = walls.before[row, 0] - hall.shape[e, PX] - sx, walls.before[row, 1] - hall.shape[e, PY] - sy
-        along = x * hall.shape[e, NX] + y * hall.shape[e, NY] - walls.start[number] < 0.0
-    energy = 0.5 * mass * (vx * vx + vy * vy)
-    book_crossing(book, gas.species[row], row, number, time, mass * vx, mass * vy, along, energy)
-    walls.gone[row] = 1
-    walls.cursor[_LEFT] += 1
-    slots.x[slot] = -(row + 2) * PARKED * (box.width + box.height)
-    slots.vx[slot] = slots.vy[slot] = 0.0
-
-
-@inlined_kernel
-def _way(row: int, slots: Slots, walls: Walls) -> Way:
-    slot = walls.slot[row]
-    return walls.before[row, 0], walls.before[row, 1], slots.x[slot], slots.y[slot], slots.reach[slot]
-
-
 @bare_kernel
 def _turn_back(
     row: int, slots: Slots, gas: Gas, box: Box, grid: Grid, walls: Walls, book: Ledger, time: float
@@ -181,7 +68,7 @@ def _turn_back(
     hall, cursor, slot = walls.hall, walls.cursor, walls.slot[row]
     species, level = gas.species[row], grid.level[row]
     while True:
-        way = _way(row, slots, walls)
+        way = way_of(row, slots, walls)
         where = elements(way, level, box, grid, walls)
         e, sx, sy, _ = earliest(way, where, box, walls, species, slots.vx[slot], slots.vy[slot], time, True)
         if e == NONE:
@@ -195,11 +82,11 @@ def _turn_back(
             return True
         cursor[_DONE] += 1
         if hall.rule[hall.kind[e, WALL], OPEN]:
-            _leave(e, sx, sy, row, slots, gas, box, walls, book, time)
+            leave(e, sx, sy, row, slots, gas, box, walls, book, time)
             return True
         put_back(walls, e, sx, sy, way, walls.put)
         x, y, nx, ny = walls.put[0], walls.put[1], walls.put[2], walls.put[3]
-        _bounce(e, nx, ny, x, y, row, slots, gas, walls, book, time)
+        bounce(e, nx, ny, x, y, row, slots, gas, walls, book, time)
 
 
 @inlined_kernel
@@ -283,7 +170,7 @@ def _touch(
             )
             free = 1.0 if other == NONE else 0.5 * part
             to_x, to_y = x + free * depth * nx, y + free * depth * ny
-        _bounce(e, nx, ny, to_x, to_y, row, slots, gas, walls, book, time)
+        bounce(e, nx, ny, to_x, to_y, row, slots, gas, walls, book, time)
 
 
 @bare_kernel
@@ -293,7 +180,7 @@ def _count(
     """Count a disc at each line that it has crossed and may cross, in their order; False if the contacts are full."""
     hall, cursor, slot = walls.hall, walls.cursor, walls.slot[row]
     species, mass = gas.species[row], gas.mass[row]
-    way = _way(row, slots, walls)
+    way = way_of(row, slots, walls)
     where = elements(way, grid.level[row], box, grid, walls)
     while True:
         best, best_e = 1 << 60, NONE
@@ -356,28 +243,3 @@ def visit(
         _wrap(row, slots, box, walls)
     cursor[_PART], cursor[_DONE] = _CROSS, 0
     return True
-
-
-@bare_kernel
-def divided(
-    first: int, second: int, slots: Slots, gas: Gas, box: Box, grid: Grid, walls: Walls, dx: float, dy: float
-) -> bool:
-    """Whether a wall that neither passes lies between the centres of two discs; (dx, dy) leads from second to first."""
-    for turn in range(2):
-        a = first if turn == 0 else second
-        row, other = slots.row[a], slots.row[second if turn == 0 else first]
-        x, y = slots.x[a], slots.y[a]
-        sign = -1.0 if turn == 0 else 1.0
-        way = x, y, x + sign * dx, y + sign * dy, slots.reach[a]
-        where = elements((x, y, x, y, slots.reach[a]), grid.level[row], box, grid, walls)
-        for choice in range(choices(where, walls)):
-            e, image_x, image_y = choose(choice, where, walls)
-            number = walls.hall.kind[e, WALL]
-            if walls.hall.kind[e, KIND] != SIDE or walls.hall.rule[number, OPEN]:
-                continue
-            if walls.hall.passes[number, gas.species[row]] or walls.hall.passes[number, gas.species[other]]:
-                continue
-            sx, sy = image_x * box.width, image_y * box.height
-            if side_crossing(walls, e, sx, sy, way, False, 0.0, 0.0) < math.inf:
-                return True
-    return False

@@ -33,7 +33,7 @@ from gasbox.kernels.hall.tables import (
     TY,
     WALL,
 )
-from gasbox.kernels.stepped.tables import Grid, Walls
+from gasbox.kernels.stepped.tables import Grid, Slots, Walls
 
 __all__ = [
     "NONE",
@@ -46,6 +46,7 @@ __all__ = [
     "lets_pass",
     "put_back",
     "side_crossing",
+    "way_of",
 ]
 
 NONE = -1
@@ -59,6 +60,13 @@ _MOST_IMAGES = 64
 
 Way = tuple[float, float, float, float, float]
 """P, Q and the radius of the disc."""
+
+
+@inlined_kernel
+def way_of(row: int, slots: Slots, walls: Walls) -> Way:
+    """The way of a disc in this step, so far."""
+    slot = walls.slot[row]
+    return walls.before[row, 0], walls.before[row, 1], slots.x[slot], slots.y[slot], slots.reach[slot]
 
 
 @inlined_kernel
@@ -175,15 +183,14 @@ def _entry(dx: float, dy: float, ax: float, ay: float, reach: float) -> float:
 
 @inlined_kernel
 def _exit(dx: float, dy: float, ax: float, ay: float, room: float) -> float:
-    """Part of a way from a by d at which it leaves a circle around zero; 0 if it begins outside."""
+    """Part of a way from a by d at which it leaves a circle around zero; 0 if it begins outside, going outwards."""
     c = room * room - ax * ax - ay * ay
-    square = dx * dx + dy * dy
-    if c <= 0.0 or room <= 0.0 or square == 0.0:
+    b, square = ax * dx + ay * dy, dx * dx + dy * dy
+    inside = b * b + square * c
+    if room <= 0.0 or square == 0.0 or inside <= 0.0 or (c <= 0.0 and b >= 0.0):
         return 0.0
-    b = ax * dx + ay * dy
-    root = math.sqrt(b * b + square * c)
-    part = c / (b + root) if b > 0.0 else (root - b) / square
-    return min(part, 1.0)
+    root = math.sqrt(inside)
+    return min(c / (b + root) if b > 0.0 else (root - b) / square, 1.0)
 
 
 @inlined_kernel
