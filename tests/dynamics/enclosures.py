@@ -47,7 +47,11 @@ def star(points: int = 5, outer: float = 10.0, inner: float = 4.5) -> Polygon:
 
 
 BOX = Rectangle(16, 12)
-POSTS = (Post((4.0, 4.0), 1.5), Block(((9.0, 3.0), (13.0, 4.0), (10.0, 7.0))), Segment((2.0, 8.0), (7.0, 9.5)))
+POSTS = (
+    Post((4.0, 4.0), 1.5),
+    Block(((9.0, 3.0), (13.0, 4.0), (10.0, 7.0))),
+    Segment((2.0, 8.0), (7.0, 9.5)),
+)
 DIVIDER = Segment((8.0, 0.0), (8.0, 12.0))
 GAP = (Segment((8.0, 0.0), (8.0, 4.5)), Segment((8.0, 12.0), (8.0, 7.0)))
 
@@ -60,8 +64,12 @@ AT_REST = {
     "box falling": enclosure(BOX, gravity=DOWN),
     "obstacles": enclosure(BOX, POSTS),
     "obstacles falling": enclosure(BOX, POSTS, DOWN),
-    "slab": enclosure(Rectangle(16, 12, True), (Post((15.5, 6.0), 1.5), Segment((0.0, 3.0), (5.0, 3.5))), (0.0, -0.2)),
-    "periodic": enclosure(Rectangle(16, 12, True, True), (Post((1.0, 0.5), 1.5), Segment((5.0, 12.0), (9.0, 11.0)))),
+    "slab": enclosure(
+        Rectangle(16, 12, True), (Post((15.5, 6.0), 1.5), Segment((0.0, 3.0), (5.0, 3.5))), (0.0, -0.2)
+    ),
+    "periodic": enclosure(
+        Rectangle(16, 12, True, True), (Post((1.0, 0.5), 1.5), Segment((5.0, 12.0), (9.0, 11.0)))
+    ),
     "gap": enclosure(BOX, GAP),
 }
 ACTIVE = {
@@ -79,7 +87,9 @@ ACTIVE = {
     "two chambers": enclosure(BOX, (DIVIDER,), o0={"motion": Piston(5.0)}),
     "membrane": enclosure(BOX, (DIVIDER,), o0={"passes": Passage((1,))}),
     "gate": enclosure(BOX, (DIVIDER,), DOWN, o0={"passes": Passage(None, "forward", 0.5, 2.0)}),
-    "warm piston": enclosure(BOX, right={"motion": Piston(8.0, 0.4), "temperature": None}, left={"temperature": 1.0}),
+    "warm piston": enclosure(
+        BOX, right={"motion": Piston(8.0, 0.4), "temperature": None}, left={"temperature": 1.0}
+    ),
 }
 ALL = AT_REST | ACTIVE
 
@@ -123,11 +133,11 @@ def deepest(state: State, place: Enclosure) -> float:
 
 def still(place: Enclosure) -> Enclosure:
     """Without motion of its walls."""
-    return dataclasses.replace(place, walls=tuple(dataclasses.replace(wall, motion=None) for wall in place.walls))
+    return dataclasses.replace(
+        place, walls=tuple(dataclasses.replace(wall, motion=None) for wall in place.walls)
+    )
 
 
 def angular_momentum(state: State, center) -> float:
     away = state.position - np.array(center)
     return float((state.mass * (away[:, 0] * state.velocity[:, 1] - away[:, 1] * state.velocity[:, 0])).sum())
-
-

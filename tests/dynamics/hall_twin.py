@@ -96,7 +96,9 @@ class HallTwin:
             self.collide(i, other)
             return
         e, what = other // 2, other % 2
-        best, shift = min(((self.off(i, e, what, time, s), tuple(s)) for s in self.images()), key=lambda one: one[0])
+        best, shift = min(
+            ((self.off(i, e, what, time, s), tuple(s)) for s in self.images()), key=lambda one: one[0]
+        )
         nx, ny, away = normal_at(self.hall, e, *self.x[i], *shift, time)
         reach = self.reach(i, e, what)
         way = away - reach if self.hall.kind[e, KIND] == RIM else reach - away
@@ -134,5 +136,3 @@ class HallTwin:
         along = (w[0] * d[0] + w[1] * d[1]) / (d[0] * d[0] + d[1] * d[1])
         self.v[i] -= 2.0 * n / (m + n) * along * d
         self.v[j] += 2.0 * m / (m + n) * along * d
-
-

@@ -6,7 +6,17 @@ import hashlib
 
 import numpy as np
 import pytest
-from enclosures import ACTIVE, ALL, AT_REST, angular_momentum, deepest, event_driven, fill, internal_energy, still
+from enclosures import (
+    ACTIVE,
+    ALL,
+    AT_REST,
+    angular_momentum,
+    deepest,
+    event_driven,
+    fill,
+    internal_energy,
+    still,
+)
 from gases import collect
 from hall_twin import HallTwin
 
@@ -62,7 +72,9 @@ def test_looking_never_disturbs(place):
     engine = event_driven(watched, place, contacts=3)
     rows = collect(engine, watched, until)
     tallies = engine.tallies
-    assert len(rows) == tallies.pair_collisions.sum() + tallies.wall_collisions.sum() + tallies.wall_passed.sum()
+    assert (
+        len(rows) == tallies.pair_collisions.sum() + tallies.wall_collisions.sum() + tallies.wall_passed.sum()
+    )
     assert bits(watched, engine) == expected
 
     stopped = start.copy()
