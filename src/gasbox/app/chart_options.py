@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from gasbox.units import UNIT
 
-__all__ = ["bar_rows", "changes", "curve_rows", "initial", "value_axis"]
+__all__ = ["FONT", "INK_TEXT", "bar_rows", "changes", "curve_rows", "initial", "plain_axis", "value_axis"]
 
-_INK = {"color": "var(--muted)", "fontSize": 11}
-_FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'
+INK_TEXT = {"color": "var(--muted)", "fontSize": 11}
+FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'
 _WHOLE = '(value) => value.toLocaleString("en").replaceAll(",", "\\u2009")'
 _ROUND = ((1.0, 2.0, 5.0), (2.5, 3.0, 4.0), (1.5, 6.0, 8.0))
 """Leading digits of the distance of marks, the easiest to read first."""
@@ -64,21 +64,21 @@ def initial(name: str, color: str, quantity: str) -> dict[str, Any]:
     """The options of an empty histogram; colours of text and lines come from the style sheet."""
     return {
         "animation": False,
-        "textStyle": {"fontFamily": _FONT},
+        "textStyle": {"fontFamily": FONT},
         "aria": {"enabled": True, "label": {"description": _description(name, quantity)}},
         "grid": {"left": 58, "right": 14, "top": 10, "bottom": 42},
         "xAxis": {
-            **_axis(axis_name(quantity), 26),
+            **plain_axis(axis_name(quantity), 26),
             **value_axis(0.0, 1.0, quantity),
             "splitLine": {"show": False},
         },
         "yAxis": {
-            **_axis("number of particles", 40),
+            **plain_axis("number of particles", 40),
             "min": 0,
             "max": 10,
             "interval": 5,
             "axisLine": {"show": False},
-            "axisLabel": {**_INK, ":formatter": _WHOLE},
+            "axisLabel": {**INK_TEXT, ":formatter": _WHOLE},
         },
         "tooltip": {
             "trigger": "axis",
@@ -105,7 +105,7 @@ def value_axis(low: float, high: float, quantity: str) -> dict[str, Any]:
         "max": high,
         "name": axis_name(quantity),
         "interval": step,
-        "axisLabel": {**_INK, "hideOverlap": True, "showMaxLabel": fits},
+        "axisLabel": {**INK_TEXT, "hideOverlap": True, "showMaxLabel": fits},
     }
 
 
@@ -130,14 +130,15 @@ def axis_name(quantity: str) -> str:
     return f"{quantity}  ({UNIT[quantity]})"
 
 
-def _axis(name: str, gap: int) -> dict[str, Any]:
+def plain_axis(name: str, gap: int) -> dict[str, Any]:
+    """An axis of numbers with its name in the middle, so many pixels away."""
     return {
         "type": "value",
         "name": name,
         "nameLocation": "middle",
         "nameGap": gap,
-        "nameTextStyle": _INK,
-        "axisLabel": {**_INK, "hideOverlap": True},
+        "nameTextStyle": INK_TEXT,
+        "axisLabel": {**INK_TEXT, "hideOverlap": True},
         "axisLine": {"show": True, "lineStyle": {"color": "var(--line-strong)"}},
         "axisTick": {"lineStyle": {"color": "var(--line-strong)"}},
         "splitLine": {"lineStyle": {"color": "var(--line)"}},

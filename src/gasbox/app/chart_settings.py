@@ -11,6 +11,7 @@ from nicegui.events import ValueChangeEventArguments
 from gasbox.app.bins import BinChoice
 from gasbox.app.charts import Charts
 from gasbox.app.smoothing import CHOICES
+from gasbox.app.studies import Studies, StudyMenu
 
 __all__ = ["ChartSettings"]
 
@@ -24,9 +25,16 @@ class ChartSettings:
     ----------
     charts : returns the histograms (they are made after this row)
     changed : called after each change
+    studies : returns the other charts, likewise
     """
 
-    def __init__(self, choice: BinChoice, charts: Callable[[], Charts], changed: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        choice: BinChoice,
+        charts: Callable[[], Charts],
+        changed: Callable[[], None],
+        studies: Callable[[], Studies],
+    ) -> None:
         self._charts = charts
         self._changed = changed
         self._choice = choice
@@ -36,6 +44,7 @@ class ChartSettings:
                 ui.switch("Theory", value=True, on_change=self._theory).props("dense").mark("theory")
             )
             self.theory.tooltip("the Maxwell distribution at the temperature of the whole gas  T")
+            self.menu = StudyMenu(studies, changed)
             ui.element("div").classes("push")
             ui.label("average over")
             self.smoothing = ui.select(CHOICES, value=0.0, on_change=self._smooth).mark("smoothing")

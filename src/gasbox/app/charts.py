@@ -49,7 +49,7 @@ class Charts:
         self._shown: tuple[Any, ...] = ()
         self._temperature: float | None = None
         self._automatic: list[float] = []
-        self._root = ui.element("div").classes("histograms")
+        self._root = ui.element("div").classes("contents")
         self.histograms: list[Histogram] = []
         self.build(species, choice)
 

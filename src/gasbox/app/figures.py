@@ -69,11 +69,12 @@ def _radii(sample: Sample) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
 
 
 def _pressure(sample: Sample, lately: Lately, warmth: float | None) -> float | None:
-    if sample.geometry.is_walled:
-        return wall_pressure(lately.change, sample.geometry, _radii(sample), lately.duration)
+    geometry = sample.geometry.at(lately.displacement)
+    if geometry.is_walled:
+        return wall_pressure(lately.change, geometry, _radii(sample), lately.duration)
     return virial_pressure(
         lately.change,
-        sample.geometry,
+        geometry,
         _radii(sample),
         _counts(sample),
         temperature=temperature(sample.state, sample.geometry),
@@ -88,6 +89,6 @@ def _theory(sample: Sample, warmth: float | None) -> tuple[float | None, float |
         _counts(sample),
         [species.mass for species in sample.scenario.species],
         _radii(sample),
-        sample.geometry.area,
+        sample.geometry.at(sample.state.wall_displacement).area,
     )
     return mixture.ideal_pressure(gas, warmth), mixture.pressure(gas, warmth)

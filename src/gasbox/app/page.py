@@ -22,6 +22,7 @@ from gasbox.app.sample import Sample
 from gasbox.app.session import Session
 from gasbox.app.shortcuts import SHORTCUTS, action_of
 from gasbox.app.stage import Caption, Stage
+from gasbox.app.studies import Studies
 from gasbox.app.surroundings import Surroundings
 from gasbox.app.transport import Transport
 from gasbox.app.window import SlidingWindow
@@ -91,8 +92,12 @@ class Page:
                 self.transport = Transport(self.session)
                 self.readouts = Readouts()
             with ui.element("div").classes("charts"):
-                self.chart_settings = ChartSettings(choice, lambda: self.charts, self._redraw)
-                self.charts = Charts(scenario.species, choice, self._light, self.session.clear_highlight)
+                self.chart_settings = ChartSettings(
+                    choice, lambda: self.charts, self._redraw, lambda: self.studies
+                )
+                with ui.element("div").classes("histograms"):
+                    self.charts = Charts(scenario.species, choice, self._light, self.session.clear_highlight)
+                    self.studies = Studies(self.session, self._arrange)
         self.caption.show(scenario, ())
         self._arrange()
 
@@ -108,8 +113,10 @@ class Page:
         ui.on("gasbox_visible", self._seen)
 
     def _arrange(self) -> None:
-        """Make room for as many histograms as there are."""
-        self._lab.classes(add="many") if len(self.charts.histograms) > 3 else self._lab.classes(remove="many")
+        """Make room for as many charts as there are."""
+        many = len(self.charts.histograms) + len(self.studies.charts) > 3
+        self._lab.classes(add="many") if many else self._lab.classes(remove="many")
+        self.chart_settings.menu.refresh()
 
     # -- what happens --------------------------------------------------------------------------------------------
 
@@ -131,6 +138,7 @@ class Page:
         if sample.version != self._version:
             self._changed(sample)
         self.surroundings.show(sample)
+        self.studies.fit(sample)
         self.transport.show_reached(sample.keeping_up or not sample.playing, sample.speed_reached)
         self.caption.follow(self.session.followed(), sample.scenario)
         if sample.state.count > _MANY:
@@ -141,9 +149,14 @@ class Page:
             numbers, counts = measured
             self.readouts.show(numbers, sample)
             self.charts.show(counts, numbers.temperature)
+            if self._show_charts and self._beats % 2:
+                self.studies.show()
 
     def _measure(self, sample: Sample) -> tuple[Figures, list[Histogram]]:
-        lately = self._window.take(time.monotonic(), sample.version, sample.time, sample.tallies)
+        lately = self._window.take(
+            time.monotonic(), sample.version, sample.time, sample.tallies, sample.state.wall_displacement
+        )
+        self.studies.take(sample, lately)
         numbers = figures(sample, lately)
         self._beats += 1
         struggles = sample.playing and 0 < sample.shown_fps < _SLOW and self._beats % 3

@@ -9,7 +9,7 @@ import math
 import secrets
 import threading
 from collections.abc import Callable
-from concurrent.futures import CancelledError, Future
+from concurrent.futures import Future
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from gasbox.app.audience import Audience
@@ -17,7 +17,7 @@ from gasbox.app.mailbox import Mailbox
 from gasbox.app.pace import SPEED_LIMITS
 from gasbox.app.sample import Bin, Followed, Quantity, Sample
 from gasbox.app.show import Show, Wishes
-from gasbox.app.worker import Worker
+from gasbox.app.worker import Worker, outcome
 from gasbox.errors import UsageError
 from gasbox.scenario import Scenario
 from gasbox.state import Change
@@ -64,6 +64,8 @@ class Session:
         """What the page showed when it was loaded; `scenario` is what it shows now."""
         self.audience = Audience()
         """The browser that looks."""
+        self.charts: frozenset[str] | None = None
+        """Names of the charts that were chosen beside the histograms; None: nobody has chosen."""
         self._scenario = scenario
         self._prepare, self._admit, self._simulate = prepare, admit, simulate
         self._wishes = Wishes()
@@ -128,17 +130,18 @@ class Session:
             self._worker.start()
             self._order(lambda: self._begin(simulation))
 
-    def play(self) -> None:
+    def play(self, playing: bool = True) -> None:
         """Let time run."""
-        self._set_playing(True)
+        self._wishes.playing = playing
+        self._order(self._show.changed)
 
     def pause(self) -> None:
         """Let time stand still."""
-        self._set_playing(False)
+        self.play(False)
 
     def toggle(self) -> None:
         """Play if paused, pause if playing."""
-        self._set_playing(not self.playing)
+        self.play(not self.playing)
 
     def set_speed(self, speed: float) -> None:
         """Set the speed, moved into the limits of 0.1 and 100.
@@ -175,7 +178,7 @@ class Session:
         self._prepare()
         simulation = self._simulate(scenario)
         if self.started:
-            _result(self._order(lambda: self._install(simulation, scenario)))
+            outcome(self._order(lambda: self._install(simulation, scenario)))
         else:
             self._scenario = scenario
             self.start(simulation)
@@ -190,11 +193,11 @@ class Session:
             There is no gas.
         """
         self.start()
-        return _result(self._order(lambda: self._show.simulation.snapshot()))
+        return outcome(self._order(lambda: self._show.simulation.snapshot()))
 
     def settle(self, timeout: float = 30.0) -> None:
         """Wait until every order given so far is carried out."""
-        _result(self._order(lambda: None), timeout)
+        outcome(self._order(lambda: None), timeout)
 
     def sample(self) -> Sample | None:
         """The newest copy for charts and readouts; None while the gas is still being made.
@@ -258,9 +261,9 @@ class Session:
 
     def hand_over(self, heir: Session) -> None:
         """Give gas, speed and all to another session, and end. For a page that was loaded again. Waits."""
-        simulation = _result(self._order(lambda: self._show.simulation))
+        simulation = outcome(self._order(lambda: self._show.simulation))
         self.close()
-        heir._scenario = self._scenario
+        heir._scenario, heir.charts = self._scenario, self.charts
         heir._wishes.playing, heir._wishes.speed = self.playing, self.speed
         heir._wishes.followed_id = self._wishes.followed_id
         heir.start(simulation)
@@ -278,13 +281,9 @@ class Session:
     def _order(self, order: Callable[[], _T]) -> Future[_T]:
         if self._worker is not None:
             return self._worker.ask(order)
-        nothing: Future[Any] = Future()  # there is nobody yet who could be asked; wishes are kept
+        nothing: Future[Any] = Future()  # nobody is there yet to be asked; wishes are kept
         nothing.set_result(None)
         return nothing
-
-    def _set_playing(self, playing: bool) -> None:
-        self._wishes.playing = playing
-        self._order(self._show.changed)
 
     def _begin(self, simulation: Simulation | None) -> None:
         self._show.attempt(self._make_first if simulation is None else lambda: simulation)
@@ -297,10 +296,3 @@ class Session:
         self._scenario = scenario
         self._wishes.light = self._wishes.followed_id = None
         self._show.install(simulation)
-
-
-def _result(future: Future[_T], timeout: float | None = None) -> _T:
-    try:
-        return future.result(timeout)
-    except CancelledError:
-        raise UsageError("this session has ended") from None

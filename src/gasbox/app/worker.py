@@ -5,10 +5,12 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Callable
-from concurrent.futures import Future
+from concurrent.futures import CancelledError, Future
 from typing import Any, TypeVar
 
-__all__ = ["Worker"]
+from gasbox.errors import UsageError
+
+__all__ = ["Worker", "outcome"]
 
 _T = TypeVar("_T")
 
@@ -77,6 +79,20 @@ class Worker:
                 pause = 0.0
             else:
                 pause = self._beat()
+
+
+def outcome(future: Future[_T], timeout: float | None = None) -> _T:
+    """Wait for what an order returns.
+
+    Raises
+    ------
+    UsageError
+        The worker has ended.
+    """
+    try:
+        return future.result(timeout)
+    except CancelledError:
+        raise UsageError("this session has ended") from None
 
 
 def _carry_out(order: Callable[[], Any], future: Future[Any]) -> None:

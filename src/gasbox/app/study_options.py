@@ -1,0 +1,156 @@
+"""What ECharts is told of a study: the options of an empty chart, and what a picture makes of it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from gasbox.app.chart_options import FONT, INK_TEXT, plain_axis
+from gasbox.app.study import PALETTE, Axis, Picture, Trace
+
+__all__ = ["filled", "layout"]
+
+_TOOLTIP = """(shown) => {
+  const short = (x) => String(+x.toPrecision(3));
+  const rows = shown.filter((one) => one.seriesType !== "custom").map((one) => {
+    const [, value, error] = one.value;
+    const about = error ? ` ± ${short(error)}` : "";
+    return `<tr><td>${one.marker}${one.seriesName}</td><td>${short(value)}${about}</td></tr>`;
+  });
+  const at = BARS ? shown[0].axisValueLabel : `X ${short(shown[0].value[0])}`;
+  return `<table class="tip"><caption>${at}</caption>${rows.join("")}</table>`;
+}"""
+_WHISKER = """(params, api) => {
+  const [x, value, error] = [api.value(0), api.value(1), api.value(2)];
+  const [px, low] = api.coord([x, value - error]);
+  const high = api.coord([x, value + error])[1];
+  const style = { stroke: WHISKER_COLOR, lineWidth: 1, fill: null };
+  const line = (x1, y1, x2, y2) => ({ type: "line", shape: { x1, y1, x2, y2 }, style });
+  const cap = CAP;
+  const caps = [low, high].map((y) => line(px - cap, y, px + cap, y));
+  return { type: "group", children: [line(px, low, px, high), ...caps] };
+}"""
+
+
+def layout(picture: Picture, description: str) -> dict[str, Any]:
+    """The options of a chart of this kind, with its first picture in it."""
+    bars = bool(picture.x.labels)
+    legend = len(picture.traces) > 1
+    tip = _TOOLTIP.replace("BARS", "true" if bars else "false").replace(
+        "X ", f"{picture.x.name.partition('  (')[0]} "
+    )
+    shape: dict[str, Any] = {
+        "animation": False,
+        "textStyle": {"fontFamily": FONT},
+        "aria": {"enabled": True, "label": {"description": description}},
+        "grid": {
+            "left": 62,
+            "right": 16,
+            "top": 26 if legend else 10,
+            "bottom": 42 if picture.x.name else 24,
+        },
+        "xAxis": {**plain_axis(picture.x.name, 26), "splitLine": {"show": False}},
+        "yAxis": {**plain_axis(picture.y.name, 46), "axisLine": {"show": False}},
+        "legend": {
+            "show": legend,
+            "data": [trace.name for trace in picture.traces],
+            "type": "scroll",
+            "top": 0,
+            "left": 58,
+            "right": 12,
+            "itemWidth": 14,
+            "itemHeight": 8,
+            "itemGap": 10,
+            "textStyle": INK_TEXT,
+            "pageTextStyle": INK_TEXT,
+            "pageIconSize": 10,
+            "pageIconColor": "var(--muted)",
+            "pageIconInactiveColor": "var(--line-strong)",
+        },
+        "tooltip": {
+            "trigger": "axis",
+            "confine": True,
+            "transitionDuration": 0,
+            "className": "chart-tip",
+            "axisPointer": {"type": "line", "animation": False, "lineStyle": {"color": "var(--muted)"}},
+            ":formatter": tip,
+        },
+        "series": [],
+    }
+    if bars:
+        shape["xAxis"] |= {"type": "category", "axisTick": {"show": False}}
+    said = filled(picture)
+    shape["xAxis"] |= said["xAxis"]
+    shape["yAxis"] |= said["yAxis"]
+    shape["series"] = said["series"]
+    return shape
+
+
+def filled(picture: Picture) -> dict[str, Any]:
+    """The parts of the options that follow a picture: ends of the axes, and all series."""
+    series: list[dict[str, Any]] = []
+    for number, trace in enumerate(picture.traces):
+        color = trace.color or PALETTE[number % len(PALETTE)]
+        series.append(_series(trace, color))
+        if trace.error is not None:
+            series.append(_whiskers(trace, color))
+    return {
+        "xAxis": {"data": list(picture.x.labels)} if picture.x.labels else _ends(picture.x, tight=True),
+        "yAxis": _ends(picture.y, tight=False),
+        "series": series,
+    }
+
+
+def _ends(axis: Axis, *, tight: bool) -> dict[str, Any]:
+    """Ends that are said; otherwise those of the values, or round ones around them."""
+    free = tight and axis.low is None
+    return {
+        "name": axis.name,
+        "scale": axis.low is None,
+        "axisLabel": {**INK_TEXT, "hideOverlap": True, "showMinLabel": not free, "showMaxLabel": not free},
+        "min": "dataMin" if free else axis.low,
+        "max": "dataMax" if free else axis.high,
+    }
+
+
+def _series(trace: Trace, color: str) -> dict[str, Any]:
+    series: dict[str, Any] = {
+        "type": "bar" if trace.kind == "bars" else "scatter" if trace.kind == "points" else "line",
+        "name": trace.name,
+        "itemStyle": {"color": color},
+        "data": _rows(trace),
+    }
+    match trace.kind:
+        case "bars":
+            series["barWidth"] = "60%"
+            series["itemStyle"] = {"color": color, "opacity": 0.85}
+        case "points":
+            series["symbolSize"] = 5
+        case _:
+            thin = trace.kind == "theory"
+            line = {"color": color, "width": 1.4 if thin else 1.8, "type": "dashed" if thin else "solid"}
+            series |= {"showSymbol": False, "lineStyle": line, "z": 1 if thin else 3}
+    return series
+
+
+def _whiskers(trace: Trace, color: str) -> dict[str, Any]:
+    bars = trace.kind == "bars"
+    draw = _WHISKER.replace("WHISKER_COLOR", "'var(--ink)'" if bars else f"'{color}'")
+    return {
+        "type": "custom",
+        "name": f"{trace.name} ±",
+        ":renderItem": draw.replace("CAP", "6" if bars else "0"),
+        "data": _rows(trace),
+        "silent": True,
+        "tooltip": {"show": False},
+        "z": 4 if bars else 2,
+    }
+
+
+def _rows(trace: Trace) -> list[list[float | None]]:
+    """x, y and, where there is one, the error; five digits are more than a screen shows."""
+    points = trace.points if trace.error is None else np.column_stack([trace.points, trace.error])
+    return [
+        [float(f"{value:.5g}") if np.isfinite(value) else None for value in row] for row in points.tolist()
+    ]
