@@ -20,7 +20,7 @@ pytestmark = pytest.mark.small
 HALL: Scenario = parse(
     {
         "container": {"shape": "rectangle", "width": 30, "height": 20},
-        "walls": {"right": {"motion": {"kind": "constant", "speed": -1}}},
+        "walls": {"right": {"motion": {"kind": "constant", "speed": -1, "stop": 5}}},
         "obstacles": [{"shape": "segment", "start": [10, 0], "end": [10, 20], "name": "divider"}],
         "gravity": [0, -0.5],
         "species": [{"name": "a", "radius": 0.1, "count": 3, "temperature": 1}, {"name": "b"}],

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from gasbox.bench.contest import OURS
 from gasbox.bench.gases import collisions, let_mix
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
 from gasbox.observe import ContactLog, collision_rates, temperature, virial_pressure, wall_pressure
 from gasbox.protocols import Observer
 from gasbox.scenario import EventDriven, Scenario
@@ -59,7 +59,7 @@ class Gauges:
 
     Parameters
     ----------
-    geometry : the box
+    geometry : what the gas is in
     radii : (species,) float64 [length]
 
     Attributes
@@ -70,7 +70,7 @@ class Gauges:
 
     reads_contacts = False
 
-    def __init__(self, geometry: Rectangle, radii: NDArray[np.float64]) -> None:
+    def __init__(self, geometry: Geometry, radii: NDArray[np.float64]) -> None:
         self._geometry, self._radii = geometry, radii
 
     def start(self, state: State, tallies: Tallies) -> None:

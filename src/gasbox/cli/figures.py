@@ -1,15 +1,27 @@
-"""The standard figures of a recording: it is read here, and drawn by `gasbox.plots` from arrays."""
+"""The figures of a recording: it is read here, and drawn by `gasbox.plots` from arrays."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Final
 
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from gasbox.errors import FileError
+from gasbox.cli.panels import FIGURES, panels_of
+from gasbox.cli.survey import Survey, survey
+from gasbox.errors import FileError, UsageError
+from gasbox.geometry import Rectangle
 from gasbox.observe import HistogramAverage, Series, automatic_maximum, bin_edges
-from gasbox.plots import HistogramPanel, overview_figure
+from gasbox.plots import (
+    HistogramPanel,
+    Panel,
+    histogram_figure,
+    overview_figure,
+    panels_figure,
+    series_figure,
+)
 from gasbox.recording import Recording, open_recording
 from gasbox.scenario import Scenario
 from gasbox.state import Frame
@@ -18,47 +30,75 @@ from gasbox.theory.mixture import Mixture, ideal_pressure, pressure
 __all__ = ["draw"]
 
 _DOTS_PER_INCH = 150
+_OVERVIEW: Final = ("gas", "profiles", "centers", "energy", "pv", "walls", "sides", "flow")
+"""Order of the further panels of the overview."""
 
 
-def draw(path: Path, output: Path, last: int | None) -> None:
+def draw(path: Path, output: Path, last: int | None, name: str = "overview") -> None:
     """Draw the recording `path` to the file `output`.
 
     Parameters
     ----------
-    last : frames over which histograms are averaged; None takes the later half
+    last : frames over which histograms and profiles are averaged; None takes the later half
+    name : of the figure: overview, histograms, series, or one of `FIGURES`
 
     Raises
     ------
-    FileError
-        The recording cannot be read, or the figure not be written.
+    FileError, UsageError
+        The recording cannot be read, has nothing to show there, or the figure cannot be written.
     """
     with open_recording(path) as recording:
-        end = recording.read(-1)
+        recording.read(-1)
         first = recording.frames // 2 if last is None else max(recording.frames - last, 0)
-        numbers = recording.observables()
-        heat = float(np.mean(numbers["temperature"][first:]))
-        temperature = None if np.isnan(heat) else heat
-        ideal, discs = _theory(recording.scenario, end, temperature)
-        figure = overview_figure(
-            _panels(recording, range(first, recording.frames), temperature),
-            _series(recording.times, numbers),
-            recording.scenario.histograms.quantity,
-            ideal,
-            discs,
-            _title(recording, first),
-        )
+        figure = _figure(recording, first, name)
     try:
         figure.savefig(output, dpi=_DOTS_PER_INCH)
     except OSError as error:
         raise FileError(f"cannot write {output}: {error.strerror or error}") from None
 
 
-def _title(recording: Recording, first: int) -> str:
+def _figure(recording: Recording, first: int, name: str) -> Figure:
+    scenario, numbers = recording.scenario, recording.observables()
+    heat = numbers["temperature"][first:]
+    temperature = float(np.mean(heat)) if np.all(np.isfinite(heat)) else None
+    if name in FIGURES:
+        return _panels_figure(recording, first, name, temperature)
+    panels = _panels(recording, range(first, recording.frames), temperature) if name != "series" else []
+    if name == "histograms":
+        return histogram_figure(panels, scenario.histograms.quantity, _title(recording, first))
+    series = _series(recording.times, numbers)
+    ideal, discs = _theory(recording, temperature)
+    if name == "series":
+        species = [(entry.name, entry.color) for entry in scenario.species]
+        return series_figure(series, species, ideal, discs, scenario.title)
+    more = _more(survey(recording, first), scenario, temperature) if _is_more_than_a_box(recording) else []
+    quantity = scenario.histograms.quantity
+    return overview_figure(panels, series, quantity, ideal, discs, _title(recording, first), more)
+
+
+def _panels_figure(recording: Recording, first: int, name: str, temperature: float | None) -> Figure:
+    panels = panels_of(name, recording.scenario, survey(recording, first), temperature)
+    if not panels:
+        raise UsageError(f"{recording.path} has nothing to show in the figure {name!r}: {FIGURES[name]}")
+    shown = _title(recording, first, "means") if name in ("profiles", "walls") else recording.scenario.title
+    return panels_figure(panels, shown)
+
+
+def _more(found: Survey, scenario: Scenario, temperature: float | None) -> list[Panel]:
+    return [panel for name in _OVERVIEW for panel in panels_of(name, scenario, found, temperature)]
+
+
+def _is_more_than_a_box(recording: Recording) -> bool:
+    return not all(isinstance(recording.geometry_at(index), Rectangle) for index in (0, -1))
+
+
+def _title(recording: Recording, first: int, what: str = "histograms") -> str:
     times, count = recording.times, recording.frames - first
     if count == 1:
-        shown = f"histograms at time {times[-1]:g}"
+        shown = f"{what} at time {times[-1]:g}"
     else:
-        shown = f"histograms: mean of {count} frames, time {times[first]:g} to {times[-1]:g}"
+        shown = f"{what}: mean of {count} frames, time {times[first]:g} to {times[-1]:g}"
+    shown = shown.replace("means: mean", "mean")
     title = recording.scenario.title
     return f"{title}\n{shown}" if title else shown
 
@@ -94,18 +134,21 @@ def _series(times: NDArray[np.float64], numbers: dict[str, NDArray[np.float64]])
         numbers["species_temperature"],
         numbers["pressure"],
         numbers["pressure_virial"],
+        numbers.get("potential_energy", np.zeros(0)),
     )
 
 
-def _theory(scenario: Scenario, frame: Frame, temperature: float | None) -> tuple[float | None, float | None]:
-    """Pressure of an ideal gas and of hard discs [mass/time²]."""
-    if temperature is None:
+def _theory(recording: Recording, temperature: float | None) -> tuple[float | None, float | None]:
+    """Pressure of an ideal gas and of hard discs [mass/time²], where one temperature and area say it."""
+    end = recording.read(-1)
+    geometry = recording.geometry_at(-1)
+    if temperature is None or any(geometry.gravity) or geometry.moves:
         return None, None
-    kinds = scenario.species
+    kinds = recording.scenario.species
     gas = Mixture.of(
-        np.bincount(frame.state.species, minlength=len(kinds)),
+        np.bincount(end.state.species, minlength=len(kinds)),
         [species.mass for species in kinds],
         [species.radius for species in kinds],
-        scenario.geometry().area,
+        geometry.area,
     )
     return ideal_pressure(gas, temperature), pressure(gas, temperature)

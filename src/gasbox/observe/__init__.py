@@ -25,6 +25,7 @@ from gasbox.observe.energy import (
     thermal_energy,
     thermal_velocity,
 )
+from gasbox.observe.following import FollowsChanges
 from gasbox.observe.gauge import WallGauge, WallSeries
 from gasbox.observe.histograms import (
     Histogram,
@@ -56,7 +57,7 @@ from gasbox.observe.sides import (
     mixing_entropy,
     side_counts,
 )
-from gasbox.observe.strips import Axis, strip_areas
+from gasbox.observe.strips import Axis, extent, strip_areas
 from gasbox.observe.walls import (
     MeanDisplacement,
     between,
@@ -75,6 +76,7 @@ __all__ = [
     "ContactCounter",
     "ContactLog",
     "EnergyBalance",
+    "FollowsChanges",
     "Histogram",
     "HistogramAverage",
     "Indicator",
@@ -100,6 +102,7 @@ __all__ = [
     "common_accessible_area",
     "degrees_of_freedom",
     "energy_histogram",
+    "extent",
     "gauge_lengths",
     "greatest_mixing_entropy",
     "histogram",

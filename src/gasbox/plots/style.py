@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, Literal
 
 from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
@@ -41,13 +41,11 @@ def dress(axes: Axes) -> None:
     axes.title.set(color=INK, fontsize=10, fontweight="bold")
 
 
-def legend(axes: Axes, beside: bool = False) -> None:
-    """A legend in the upper right corner, or beside the axes where lines run all over."""
+def legend(axes: Axes, beside: bool = False, place: Literal["upper right", "best"] = "upper right") -> None:
+    """A legend in a corner (or where there is most room: best), or beside the axes where lines run all over."""
     if not axes.get_legend_handles_labels()[0]:
         return
-    box = axes.legend(
-        loc="upper left" if beside else "upper right", fontsize=8, edgecolor=GRID, labelcolor=INK
-    )
+    box = axes.legend(loc="upper left" if beside else place, fontsize=8, edgecolor=GRID, labelcolor=INK)
     if beside:
         box.set_bbox_to_anchor((1.0, 1.02))
         box.set_frame_on(False)
