@@ -7,14 +7,16 @@ from typing import Final
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely import affinity
+from shapely.geometry.base import BaseGeometry
 
 from gasbox.geometry.elements import side_count
 from gasbox.geometry.rectangle import Rectangle
 from gasbox.geometry.shapes import Circle, Point, Polygon, Segment
-from gasbox.geometry.solids import Surroundings, images, shape_of
+from gasbox.geometry.solids import Surroundings, blocks, images, shape_of
 
-__all__ = ["anchored", "stands_on_side"]
+__all__ = ["anchored", "glides"]
 
 _MARGIN: Final = 1e-9
 """Of the box: so near, an end stands on a wall."""
@@ -33,11 +35,56 @@ def anchored(enclosure: Surroundings, number: int) -> tuple[bool, bool]:
 
 
 def _held(enclosure: Surroundings, number: int, end: Point, other: Point) -> bool:
-    return bool(stands_on_side(enclosure, end)) or any(_stands_on(enclosure, number, end, other))
+    moves = enclosure.walls[side_count(enclosure.container) + number].motion is not None
+    if moves and not isinstance(enclosure.container, Rectangle):
+        # It may glide beyond the end of the side on which it stands.
+        return False
+    on_sides = any(_firm(enclosure, wall) for wall in _sides_at(enclosure, end))
+    # What moves goes on in nothing but itself, across a periodic edge.
+    return on_sides or any(_stands_on(enclosure, number, end, other, only_itself=moves))
 
 
-def stands_on_side(enclosure: Surroundings, end: Point) -> list[int]:
-    """Walls of the container that nobody passes and that are at rest, on which this end stands."""
+def glides(enclosure: Surroundings, number: int, end: Point) -> bool:
+    """Whether an end of a segment that moves stands nowhere, or on something straight along its normal."""
+    margin = _MARGIN * max(enclosure.width, enclosure.height)
+    first = side_count(enclosure.container)
+    point = shapely.Point(end)
+    touched = [_side_line(enclosure, wall) for wall in _sides_at(enclosure, end)]
+    for index, obstacle in enumerate(enclosure.obstacles):
+        if index == number or not blocks(enclosure.walls[first + index]):
+            continue
+        shape, radius = shape_of(obstacle)
+        if shape.distance(point) <= radius + margin:
+            touched += [None] if radius else _lines(shape)
+    along = np.array(enclosure.normal(first + number))
+    near = [line for line in touched if line is None or shapely.LineString(line).distance(point) <= margin]
+    return not touched or any(line is not None and _parallel(line, along) for line in near)
+
+
+def _lines(shape: BaseGeometry) -> list[NDArray[np.float64] | None]:
+    """Straight pieces, (2, 2) [length] each, of a line or of the border of a polygon."""
+    places = shapely.get_coordinates(shape)
+    return [places[k : k + 2] for k in range(len(places) - 1)]
+
+
+def _side_line(enclosure: Surroundings, wall: int) -> NDArray[np.float64] | None:
+    match enclosure.container:
+        case Rectangle(width=width, height=height):
+            ends = ((0.0, 0.0), (0.0, height)), ((width, 0.0), (width, height))
+            return np.array((*ends, ((0.0, 0.0), (width, 0.0)), ((0.0, height), (width, height)))[wall])
+        case Polygon(vertices=vertices):
+            return np.array([vertices[wall], vertices[(wall + 1) % len(vertices)]])
+        case Circle():
+            return None
+
+
+def _parallel(line: NDArray[np.float64], along: NDArray[np.float64]) -> bool:
+    way = line[1] - line[0]
+    return bool(abs(way[0] * along[1] - way[1] * along[0]) <= _MARGIN * np.hypot(*way))
+
+
+def _sides_at(enclosure: Surroundings, end: Point) -> list[int]:
+    """Walls of the container on which this end stands."""
     margin = _MARGIN * max(enclosure.width, enclosure.height)
     x, y = end
     match enclosure.container:
@@ -47,23 +94,22 @@ def stands_on_side(enclosure: Surroundings, end: Point) -> list[int]:
         case Circle(radius=radius) as container:
             away = {0: abs(float(np.hypot(x - container.center[0], y - container.center[1])) - radius)}
         case Polygon(vertices=vertices):
-            sides = [
-                shapely.LineString([vertices[k], vertices[(k + 1) % len(vertices)]])
-                for k in range(len(vertices))
-            ]
-            distance = shapely.distance(sides, shapely.Point(end))
-            away = {int(k): float(distance[k]) for k in np.flatnonzero(distance <= margin)}
-    return [wall for wall, distance in away.items() if distance <= margin and _firm(enclosure, wall)]
+            corners = np.array(vertices)
+            sides = shapely.linestrings(np.stack([corners, np.roll(corners, -1, axis=0)], axis=1))
+            away = dict(enumerate(shapely.distance(sides, shapely.Point(end)).tolist()))
+    return [wall for wall, distance in away.items() if distance <= margin]
 
 
-def _stands_on(enclosure: Surroundings, number: int, end: Point, other: Point) -> Iterator[bool]:
+def _stands_on(
+    enclosure: Surroundings, number: int, end: Point, other: Point, only_itself: bool
+) -> Iterator[bool]:
     """For each obstacle and image near this end, whether it holds it."""
     first = side_count(enclosure.container)
     margin = _MARGIN * max(enclosure.width, enclosure.height)
     along = np.subtract(end, other) / np.hypot(*np.subtract(end, other))
     point = shapely.Point(end)
     for index, obstacle in enumerate(enclosure.obstacles):
-        if not _firm(enclosure, first + index):
+        if (index != number) if only_itself else not _firm(enclosure, first + index):
             continue
         whole, radius = shape_of(obstacle)
         for dx, dy in images(enclosure):

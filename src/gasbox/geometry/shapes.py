@@ -7,7 +7,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Block", "Circle", "Obstacle", "Point", "Polygon", "Post", "Segment", "regular_polygon", "signed_area"]
+__all__ = [
+    "Block",
+    "Circle",
+    "Obstacle",
+    "Point",
+    "Polygon",
+    "Post",
+    "Segment",
+    "regular_polygon",
+    "signed_area",
+]
 
 Point = tuple[float, float]
 

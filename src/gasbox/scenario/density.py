@@ -9,21 +9,25 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+import shapely
 
 from gasbox.errors import Problem
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Enclosure, Geometry, Rectangle, side_count
+from gasbox.geometry.solids import blocks as blocks_somebody
+from gasbox.geometry.solids import images, outline, shape_of
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.species import Species
 
-__all__ = ["MIXTURE_LIMIT", "ONE_SIZE_LIMIT", "Crowd", "crowds", "density_problems"]
+__all__ = ["MIXTURE_LIMIT", "ONE_SIZE_LIMIT", "Crowd", "centre_bounds", "crowds", "density_problems"]
 
 ONE_SIZE_LIMIT: Final = 0.7
-"""Greatest area fraction at which discs of one size are placed."""
+"""Greatest area fraction at which discs of one size are placed in a rectangle with nothing in it."""
 MIXTURE_LIMIT: Final = 0.5
-"""Greatest area fraction at which discs of several sizes are placed."""
+"""Greatest area fraction at which discs of several sizes, or in any other shape, are placed."""
 _ROUNDING: Final = 1e-9
 
 Bounds = tuple[float, float, float, float]
+Vector = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -32,11 +36,13 @@ class Crowd:
 
     Attributes
     ----------
-    bounds : left, right, lower and upper end [length] of that part
+    bounds : left, right, lower and upper end [length] of a rectangle; what of the container lies in it is the part
+    area : of the part, without blocks and posts [length²]
     members : indices of the species placed wholly inside it
     fraction : area of all discs inside (listed ones, too) over the area of that part
     one_size : whether all discs inside have one radius
     alone : whether no disc from elsewhere can get in the way: no other part overlaps this one
+    plain : whether the part is the whole rectangle, with nothing standing in it
     """
 
     bounds: Bounds
@@ -44,19 +50,16 @@ class Crowd:
     fraction: float
     one_size: bool
     alone: bool
-
-    @property
-    def area(self) -> float:
-        """Area [length²] of the part."""
-        return (self.bounds[1] - self.bounds[0]) * (self.bounds[3] - self.bounds[2])
+    area: float
+    plain: bool = True
 
     @property
     def limit(self) -> float:
         """Greatest area fraction at which these are placed."""
-        return ONE_SIZE_LIMIT if self.one_size and self.alone else MIXTURE_LIMIT
+        return ONE_SIZE_LIMIT if self.one_size and self.alone and self.plain else MIXTURE_LIMIT
 
 
-def crowds(geometry: Rectangle, species: Sequence[Species], particles: Particles | None) -> tuple[Crowd, ...]:
+def crowds(geometry: Geometry, species: Sequence[Species], particles: Particles | None) -> tuple[Crowd, ...]:
     """One crowd for each part of the container that is asked for; if any overlap, the last one is the whole."""
     whole = (0.0, geometry.width, 0.0, geometry.height)
     parts = list(dict.fromkeys(entry.bounds(geometry) for entry in species if entry.count))
@@ -75,7 +78,7 @@ def _inside(inner: Bounds, outer: Bounds) -> bool:
 
 
 def _crowd(
-    part: Bounds, alone: bool, geometry: Rectangle, species: Sequence[Species], particles: Particles | None
+    part: Bounds, alone: bool, geometry: Geometry, species: Sequence[Species], particles: Particles | None
 ) -> Crowd:
     members = tuple(
         number
@@ -85,8 +88,65 @@ def _crowd(
     sizes = [(species[number].radius, species[number].count) for number in members]
     sizes += _listed_sizes(part, species, particles)
     area = sum(count * math.pi * radius**2 for radius, count in sizes)
-    fraction = area / ((part[1] - part[0]) * (part[3] - part[2]))
-    return Crowd(part, members, fraction, len({radius for radius, _ in sizes}) <= 1, alone)
+    room, plain = _room(part, geometry)
+    one_size = len({radius for radius, _ in sizes}) <= 1
+    return Crowd(part, members, area / room if room else math.inf, one_size, alone, room, plain)
+
+
+def _room(part: Bounds, geometry: Geometry) -> tuple[float, bool]:
+    """Area [length²] of what of the container lies in a part, and whether it is all of it."""
+    whole = (part[1] - part[0]) * (part[3] - part[2])
+    if isinstance(geometry, Rectangle):
+        return whole, True
+    frame = shapely.box(part[0], part[2], part[1], part[3])
+    standing, first = [], side_count(geometry.container)
+    for number, obstacle in enumerate(geometry.obstacles):
+        if blocks_somebody(geometry.walls[first + number]):
+            shape, radius = shape_of(obstacle)
+            shape = shape.buffer(radius, quad_segs=64) if radius else shape
+            standing += [shapely.transform(shape, lambda at, by=by: at + by) for by in images(geometry)]
+    # Where a part goes once round, it has no edge on which an obstacle could stand.
+    round_x = geometry.periodic_x and part[1] - part[0] >= geometry.width
+    round_y = geometry.periodic_y and part[3] - part[2] >= geometry.height
+    core = shapely.box(part[0] - round_x, part[2] - round_y, part[1] + round_x, part[3] + round_y).buffer(
+        -_ROUNDING * max(geometry.size)
+    )
+    plain = isinstance(geometry.container, Rectangle) and not any(
+        shape.intersects(core) for shape in standing
+    )
+    if plain:
+        return whole, True
+    if part == (0.0, geometry.width, 0.0, geometry.height):
+        return geometry.area, False
+    inside = outline(geometry).intersection(frame)
+    return float(inside.difference(shapely.union_all(standing)).area), False
+
+
+def centre_bounds(geometry: Geometry, part: Bounds, radius: float) -> tuple[Vector, Vector]:
+    """Lower and upper bounds (x, y) [length] of the centres of discs that shall lie wholly in a part.
+
+    Where an edge of the part is that of the container, its walls keep the discs inside, unless they are open.
+    """
+    low, high = [], []
+    for axis, length in enumerate((geometry.width, geometry.height)):
+        begin, end = part[2 * axis], part[2 * axis + 1]
+        before, after = radius, radius
+        if geometry.periodic[axis] and begin == 0.0 and end == length:
+            before, after = 0.0, 0.0
+        elif isinstance(geometry, Enclosure):
+            before = 0.0 if begin == 0.0 and _is_open(geometry, 2 * axis) else radius
+            after = 0.0 if end == length and _is_open(geometry, 2 * axis + 1) else radius
+        # A disc exactly as wide as its part has one place; rounding may have turned the bounds around.
+        low.append(min(begin + before, end - after))
+        high.append(end - after)
+    return (low[0], low[1]), (high[0], high[1])
+
+
+def _is_open(geometry: Enclosure, wall: int) -> bool:
+    """Whether discs may lie across an edge of the box around a container, because what is there is open."""
+    if isinstance(geometry.container, Rectangle):
+        return geometry.walls[wall].open
+    return any(entry.open for entry in geometry.walls[: side_count(geometry.container)])
 
 
 def _listed_sizes(
@@ -104,7 +164,7 @@ def _listed_sizes(
 
 
 def density_problems(
-    geometry: Rectangle, species: Sequence[Species], particles: Particles | None
+    geometry: Geometry, species: Sequence[Species], particles: Particles | None
 ) -> Iterator[Problem]:
     """Parts of the container that are asked to hold too much."""
     whole = (0.0, geometry.width, 0.0, geometry.height)
@@ -112,6 +172,8 @@ def density_problems(
         if crowd.fraction <= crowd.limit * (1 + _ROUNDING):
             continue
         kind = "discs of one size" if crowd.limit == ONE_SIZE_LIMIT else "discs of several sizes or regions"
+        if not crowd.plain:
+            kind = "discs beside obstacles or in a shape that is no rectangle"
         single = len(crowd.members) == 1
         path = f"species[{crowd.members[0]}].count" if single else "species"
         where = "" if crowd.bounds == whole else " of the region"

@@ -55,9 +55,7 @@ class PathMotion(Section):
     def motion(self) -> geometry.Path:
         """As engines take it."""
         times, places = (tuple(column) for column in zip(*self.points, strict=True))
-        speeds = [
-            (places[k + 1] - places[k]) / (times[k + 1] - times[k]) for k in range(len(times) - 1)
-        ]
+        speeds = [(places[k + 1] - places[k]) / (times[k + 1] - times[k]) for k in range(len(times) - 1)]
         return geometry.Path(times, places, (*speeds, 0.0))
 
 
@@ -104,6 +102,4 @@ class PistonMotion(Section):
         return geometry.Piston(self.mass, self.pressure, self.speed, lower, upper)
 
 
-Motion = Annotated[
-    ConstantMotion | PathMotion | SinusoidMotion | PistonMotion, Field(discriminator="kind")
-]
+Motion = Annotated[ConstantMotion | PathMotion | SinusoidMotion | PistonMotion, Field(discriminator="kind")]

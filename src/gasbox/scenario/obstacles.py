@@ -12,7 +12,7 @@ from gasbox.scenario.container import Vertices
 from gasbox.scenario.values import Positive, Vector
 from gasbox.scenario.walls import Surface
 
-__all__ = ["BlockObstacle", "Obstacle", "PostObstacle", "SegmentObstacle"]
+__all__ = ["STANDING", "BlockObstacle", "Obstacle", "PostObstacle", "SegmentObstacle"]
 
 _SHAPE_REQUIRED: Final[JsonDict] = {"required": ["shape"]}
 
@@ -69,5 +69,11 @@ class PostObstacle(_Named):
         """As engines take it."""
         return geometry.Post(self.center, self.radius)
 
+
+STANDING: Final[dict[str, type[SegmentObstacle] | type[BlockObstacle] | type[PostObstacle]]] = {
+    "segment": SegmentObstacle,
+    "polygon": BlockObstacle,
+    "disc": PostObstacle,
+}
 
 Obstacle = Annotated[SegmentObstacle | BlockObstacle | PostObstacle, Field(discriminator="shape")]

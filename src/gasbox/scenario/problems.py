@@ -66,7 +66,9 @@ def translate(error: ErrorDetails, known: KnownKeys) -> Problem:
     if kind == "missing":
         return Problem(path, "nothing", "is required")
     if kind == "extra_forbidden":
-        keys = known.get(tuple(step for step in location[:-1] if isinstance(step, str)), ())
+        place = tuple(step for step in location[:-1] if isinstance(step, str))
+        # The names of walls are keys of a scenario's own making.
+        keys = known.get(place[:1] + place[2:] if place[:1] == ("walls",) else place, ())
         return Problem(path, "an unknown key", f"known: {', '.join(keys)}{near(str(location[-1]), keys)}")
     if kind == "union_tag_not_found":
         return Problem(f"{path}.{_tag(context)}", "nothing", f"must be one of {_expected(context)}")
@@ -81,7 +83,11 @@ def _without_tags(location: tuple[int | str, ...]) -> tuple[int | str, ...]:
     return tuple(
         step
         for place, step in enumerate(location)
-        if not (step in _TAGS and place and (location[place - 1] in tagged or isinstance(location[place - 1], int)))
+        if not (
+            step in _TAGS
+            and place
+            and (location[place - 1] in tagged or isinstance(location[place - 1], int))
+        )
     )
 
 

@@ -21,9 +21,7 @@ _MOST: Final = 2**62
 
 _SUMS: Final = frozenset({"pair_virial", "wall_impulse", "wall_carried"})
 """What never falls; work and heat go both ways."""
-_LATER: Final = frozenset(
-    {"wall_work", "wall_heat", "wall_passed", "wall_carried", "rest_energy"}
-)
+_LATER: Final = frozenset({"wall_work", "wall_heat", "wall_passed", "wall_carried", "rest_energy"})
 """Sums that snapshots of version 0.1 do not have yet; they start from zero."""
 
 

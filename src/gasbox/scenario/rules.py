@@ -4,55 +4,64 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Final
 
+import numpy as np
+
 from gasbox.errors import Problem
-from gasbox.scenario.container import Container, RectangleContainer
+from gasbox.geometry import Enclosure, Geometry, Rectangle, side_count
+from gasbox.scenario.crowding import crowding_problems, glide_problems
 from gasbox.scenario.density import density_problems
-from gasbox.scenario.dynamics import EventDriven, Stepped
-from gasbox.scenario.histograms import Histograms
-from gasbox.scenario.particles import Particles
+from gasbox.scenario.dynamics import Stepped
+from gasbox.scenario.falling import falling_problems
+from gasbox.scenario.parts import Parts
 from gasbox.scenario.problems import near, short
 from gasbox.scenario.remembered import snapshot_problems
+from gasbox.scenario.schedule_rules import schedule_problems
 from gasbox.scenario.sizes import region_problems, size_problems
-from gasbox.scenario.snapshot import Snapshot
-from gasbox.scenario.species import Species
+from gasbox.scenario.standing import container_problems, obstacle_problems
+from gasbox.scenario.surroundings import geometry_of, surroundings
 from gasbox.scenario.values import LARGEST_COUNT
+from gasbox.scenario.wall_rules import wall_problems
 
-__all__ = ["Parts", "broken_rules"]
+__all__ = ["broken_rules"]
 
 _SHOWN: Final = 10
 """Of each kind of wrong row, so many are named."""
 _SOURCES: Final = ("temperature", "speed", "velocities")
 
 
-@dataclass(frozen=True)
-class Parts:
-    """The parts of a scenario, None where a part is invalid by itself."""
-
-    container: Container | None
-    species: tuple[Species | None, ...]
-    particles: Particles | None
-    dynamics: Stepped | EventDriven | None
-    frame_interval: float | None
-    histograms: Histograms | None
-    snapshot: Snapshot | None
-
-
 def broken_rules(parts: Parts) -> list[Problem]:
     """All problems between fields."""
-    rules = (_names, _velocities, _total, _listed_names, _frames, _axis, _snapshot)
+    rules = (_names, _velocities, _total, _listed_names, _frames, _axis, _snapshot, falling_problems)
     problems = [problem for rule in rules for problem in rule(parts)]
-    if not isinstance(parts.container, RectangleContainer):
+    shapes = [*container_problems(parts.container), *obstacle_problems(parts)]
+    walls = [*wall_problems(parts), *schedule_problems(parts)]
+    problems += [*shapes, *walls]
+    if parts.container is None or container_problems(parts.container):
         return problems
-    geometry = parts.container.geometry()
+    if parts.are_valid and not shapes and not walls:
+        problems += glide_problems(parts)
+    geometry = _surroundings(parts, with_all=not shapes and not walls)
     room = [*size_problems(geometry, parts.species), *region_problems(geometry, parts.species)]
-    problems += [*room, *_listed_positions(parts)]
+    problems += [*room, *_listed_positions(parts, geometry)]
     if not room and parts.snapshot is None and all(parts.species):
         valid = tuple(entry for entry in parts.species if entry is not None)
-        problems += density_problems(geometry, valid, parts.particles)
+        dense = list(density_problems(geometry, valid, parts.particles))
+        problems += dense
+        if parts.are_valid and not problems:
+            problems += crowding_problems(parts)
     return problems
+
+
+def _surroundings(parts: Parts, with_all: bool) -> Geometry:
+    """The geometry as far as it is valid: what is not yet, takes no room."""
+    assert parts.container is not None
+    if with_all and parts.are_valid:
+        return surroundings(parts)
+    standing = [entry for entry in parts.obstacles if entry is not None] if with_all else []
+    plain = [entry.model_copy(update={"passes": None, "motion": None}) for entry in standing]
+    return geometry_of(parts.container, {}, plain, parts.gravity or (0.0, 0.0), ())
 
 
 def _names(parts: Parts) -> Iterator[Problem]:
@@ -101,21 +110,27 @@ def _listed_names(parts: Parts) -> Iterator[Problem]:
             yield Problem(parts.particles.path(row, "species"), short(name) + times, allowed)
 
 
-def _listed_positions(parts: Parts) -> Iterator[Problem]:
+def _listed_positions(parts: Parts, geometry: Geometry) -> Iterator[Problem]:
     # What the stepped rule has moved beyond a wall may stand in a snapshot.
     if parts.particles is None or parts.snapshot is not None:
         return
-    if not isinstance(parts.container, RectangleContainer):
-        return
-    width, height = parts.container.width, parts.container.height
-    x, y = parts.particles.position.T
-    outside = ((x < 0) | (x > width) | (y < 0) | (y > height)).nonzero()[0]
-    for row in outside[:_SHOWN]:
-        allowed = f"the centre must lie inside the container [0, {width:g}] x [0, {height:g}]"
+    shape = geometry.container if isinstance(geometry, Enclosure) else geometry
+    where = "inside the container"
+    if isinstance(shape, Rectangle):
+        where += f" [0, {shape.width:g}] x [0, {shape.height:g}]"
+        x, y = parts.particles.position.T
+        outside = (x < 0) | (x > shape.width) | (y < 0) | (y > shape.height)
+    else:
+        outside = np.zeros(parts.particles.count, np.bool_)
+    if isinstance(geometry, Enclosure):
+        outside |= ~geometry.holds(parts.particles.position, 0.0)
+        where += ", in no block or post" if geometry.obstacles else ""
+    rows = outside.nonzero()[0]
+    for row in rows[:_SHOWN]:
         found = short(parts.particles.position[row].tolist())
-        yield Problem(parts.particles.path(int(row), "position"), found, allowed)
-    if len(outside) > _SHOWN:
-        yield Problem("particles", f"{len(outside)} centres outside the container", "none may lie outside")
+        yield Problem(parts.particles.path(int(row), "position"), found, f"the centre must lie {where}")
+    if len(rows) > _SHOWN:
+        yield Problem("particles", f"{len(rows)} centres outside the container", "none may lie outside")
 
 
 def _frames(parts: Parts) -> Iterator[Problem]:
@@ -136,7 +151,6 @@ def _axis(parts: Parts) -> Iterator[Problem]:
 
 
 def _snapshot(parts: Parts) -> Iterator[Problem]:
-    if parts.snapshot is not None:
-        walls = _wall_count(parts)
-        if walls is not None:
-            yield from snapshot_problems(parts.snapshot, parts.particles, len(parts.species), walls)
+    if parts.snapshot is not None and parts.container is not None:
+        walls = side_count(parts.container.geometry()) + len(parts.obstacles)
+        yield from snapshot_problems(parts.snapshot, parts.particles, len(parts.species), walls)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
-from typing import Annotated, Any, Final, Literal, TypeVar
+from typing import Annotated, Any, Final, Literal, TypeVar, cast
 
 from pydantic import Field, ModelWrapValidatorHandler, Strict, ValidationError, model_validator
 from pydantic_core import ErrorDetails
@@ -116,7 +116,9 @@ class Scenario(Section):
         # These may hold millions of numbers: they go straight from arrays to lists.
         values |= {name: part.to_json() for name in large if (part := getattr(self, name)) is not None}
         unsaid = {"walls": {}, "obstacles": [], "gravity": [0.0, 0.0], "schedule": []}
-        return {key: values[key] for key in _keys(Scenario) if key in values and values[key] != unsaid.get(key)}
+        return {
+            key: values[key] for key in _keys(Scenario) if key in values and values[key] != unsaid.get(key)
+        }
 
     def to_json(self) -> str:
         """The scenario as JSON text; floats read back to the same bits."""
@@ -199,11 +201,9 @@ def _parts(data: dict[str, Any], scenario: Scenario | None, particles: Particles
     )
 
 
-def _of_shape(
-    shapes: Mapping[str, type[_Section]], data: Any, usual: str | None = None
-) -> _Section | None:
-    if isinstance(data, tuple(shapes.values())):
-        return data
+def _of_shape(shapes: Mapping[str, type[_Section]], data: Any, usual: str | None = None) -> _Section | None:
+    if type(data) in shapes.values():
+        return cast("_Section", data)
     shape = data.get("shape", usual) if isinstance(data, dict) else None
     return _one(shapes[shape], data) if isinstance(shape, str) and shape in shapes else None
 
@@ -241,9 +241,7 @@ def _keys(section: type[Section]) -> tuple[str, ...]:
 
 _MOTION_KEYS: Final = tuple(
     dict.fromkeys(
-        key
-        for kind in (ConstantMotion, PathMotion, SinusoidMotion, PistonMotion)
-        for key in _keys(kind)
+        key for kind in (ConstantMotion, PathMotion, SinusoidMotion, PistonMotion) for key in _keys(kind)
     )
 )
 _KNOWN: Final[KnownKeys] = {
@@ -252,9 +250,7 @@ _KNOWN: Final[KnownKeys] = {
     ("walls",): _keys(WallSettings),
     ("walls", "passes"): _keys(Passes),
     ("walls", "motion"): _MOTION_KEYS,
-    ("obstacles",): tuple(
-        dict.fromkeys(key for shape in STANDING.values() for key in _keys(shape))
-    ),
+    ("obstacles",): tuple(dict.fromkeys(key for shape in STANDING.values() for key in _keys(shape))),
     ("obstacles", "passes"): _keys(Passes),
     ("obstacles", "motion"): _MOTION_KEYS,
     ("schedule",): _keys(ScheduledChange),

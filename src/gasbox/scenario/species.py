@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import Field, Strict
 
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
 from gasbox.scenario.colors import PALETTE
 from gasbox.scenario.values import LARGEST_COUNT, WHOLE, Finite, NotNegative, Positive, Section, Vector
 
@@ -44,7 +44,7 @@ class Species(Section):
     region: Region | None = None
     """Where they are placed; without it, in the whole container."""
 
-    def bounds(self, geometry: Rectangle) -> tuple[float, float, float, float]:
+    def bounds(self, geometry: Geometry) -> tuple[float, float, float, float]:
         """Left, right, lower and upper end [length] of where the discs are placed."""
         x = self.region.x if self.region else None
         y = self.region.y if self.region else None

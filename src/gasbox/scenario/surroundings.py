@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 from gasbox.geometry import Enclosure, Geometry, Rectangle, side_names
 from gasbox.scenario.container import Container
 from gasbox.scenario.obstacles import Obstacle
+from gasbox.scenario.parts import Parts
 from gasbox.scenario.walls import WallSettings
 
-__all__ = ["geometry_of"]
+__all__ = ["geometry_of", "surroundings"]
 
 
 def geometry_of(
@@ -32,3 +33,11 @@ def geometry_of(
         for number, obstacle in enumerate(obstacles, 1)
     ]
     return Enclosure(shape, tuple(obstacle.geometry() for obstacle in obstacles), tuple(found), gravity)
+
+
+def surroundings(parts: Parts) -> Geometry:
+    """The geometry of parts that are all valid."""
+    assert parts.container is not None
+    walls = {side: settings for side, settings in parts.walls.items() if settings is not None}
+    standing = [obstacle for obstacle in parts.obstacles if obstacle is not None]
+    return geometry_of(parts.container, walls, standing, parts.gravity or (0.0, 0.0), parts.names or ())

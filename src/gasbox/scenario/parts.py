@@ -1,0 +1,53 @@
+"""The parts of a scenario as rules between fields see them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from gasbox.scenario.container import Container
+from gasbox.scenario.dynamics import EventDriven, Stepped
+from gasbox.scenario.histograms import Histograms
+from gasbox.scenario.obstacles import Obstacle
+from gasbox.scenario.particles import Particles
+from gasbox.scenario.schedule import ScheduledChange
+from gasbox.scenario.snapshot import Snapshot
+from gasbox.scenario.species import Species
+from gasbox.scenario.values import Section
+from gasbox.scenario.walls import WallSettings
+
+__all__ = ["Parts"]
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The parts of a scenario, None where a part is invalid by itself."""
+
+    container: Container | None
+    species: tuple[Species | None, ...]
+    particles: Particles | None
+    dynamics: Stepped | EventDriven | None
+    frame_interval: float | None
+    histograms: Histograms | None
+    snapshot: Snapshot | None
+    walls: Mapping[str, WallSettings | None] = field(default_factory=dict)
+    obstacles: tuple[Obstacle | None, ...] = ()
+    gravity: tuple[float, float] | None = (0.0, 0.0)
+    schedule: tuple[ScheduledChange | None, ...] = ()
+
+    @property
+    def names(self) -> tuple[str, ...] | None:
+        """Names of the species; None if any is invalid."""
+        names = tuple(entry.name for entry in self.species if entry is not None)
+        return names if len(names) == len(self.species) else None
+
+    @property
+    def are_valid(self) -> bool:
+        """Whether all that the surroundings of the gas are made of is valid by itself."""
+        rest: tuple[Section | None, ...] = (
+            *self.walls.values(),
+            *self.obstacles,
+            *self.schedule,
+            *self.species,
+        )
+        return self.container is not None and self.gravity is not None and None not in rest
