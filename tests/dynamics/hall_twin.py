@@ -1,4 +1,4 @@
-"""A slow twin of the event-driven engine in an enclosure: every pair, every image and every element before each event."""
+"""A slow twin of the event-driven engine in an enclosure: every pair, image and element before each event."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ class HallTwin:
             self.collide(i, other)
             return
         e, what = other // 2, other % 2
-        best, shift = min(
+        _, shift = min(
             ((self.off(i, e, what, time, s), tuple(s)) for s in self.images()), key=lambda one: one[0]
         )
         nx, ny, away = normal_at(self.hall, e, *self.x[i], *shift, time)

@@ -11,7 +11,7 @@ from gasbox.kernels.processor import fetch
 from gasbox.kernels.stepped.between import divided
 from gasbox.kernels.stepped.tables import Grid, Lists, Slots, Walls
 from gasbox.kernels.stepped.visit import visit
-from gasbox.kernels.stepped.ways import NONE, choices, elements, way_of
+from gasbox.kernels.stepped.ways import NONE, choices, earliest, elements, way_of
 
 __all__ = ["execute"]
 
@@ -41,14 +41,28 @@ def _part(a: int, b: int, slots: Slots, gas: Gas, walls: Walls, dx: float, dy: f
 
 
 @inlined_kernel
+def _is_across(slot: int, slots: Slots, gas: Gas, box: Box, grid: Grid, walls: Walls, time: float) -> bool:
+    """Whether a disc has come across a wall that will put it back: where it is now it meets nobody."""
+    row = slots.row[slot]
+    if walls.near[row] != 1:
+        return False
+    way = way_of(row, slots, walls)
+    where = elements(way, grid.level[row], box, grid, walls)
+    found = earliest(way, where, box, walls, gas.species[row], slots.vx[slot], slots.vy[slot], time, True)
+    return found[0] != NONE
+
+
+@inlined_kernel
 def _meet(
     a: int, b: int, slots: Slots, gas: Gas, box: Box, grid: Grid, walls: Walls, time: float, book: Ledger
 ) -> None:
     """As `_collide`, in an enclosure: not through walls, and under gravity nobody sinks into anybody."""
     dx = nearest(slots.x[a] - slots.x[b], box.width, box.periodic_x)
     dy = nearest(slots.y[a] - slots.y[b], box.height, box.periodic_y)
-    if (walls.near[slots.row[a]] == 1 or walls.near[slots.row[b]] == 1) and divided(
-        a, b, slots, gas, box, grid, walls, dx, dy
+    if (walls.near[slots.row[a]] == 1 or walls.near[slots.row[b]] == 1) and (
+        _is_across(a, slots, gas, box, grid, walls, time)
+        or _is_across(b, slots, gas, box, grid, walls, time)
+        or divided(a, b, slots, gas, box, grid, walls, dx, dy)
     ):
         return
     _collide(a, b, slots, gas, box, time, book)
