@@ -136,14 +136,11 @@ def _times_to_cross(
     x, y = place_at(flight, hall, i, elapsed)
     vx, vy = velocity_at(flight, hall, i, elapsed)
     if hall is not None:
-        if hall.gx != 0.0 or hall.gy != 0.0:
-            column, row = link[i, COLUMN], link[i, ROW]
-            return (
-                _time_to_fall_out(
-                    x, vx, hall.gx, column, columns, sides[level, 0], box.width, box.periodic_x
-                ),
-                _time_to_fall_out(y, vy, hall.gy, row, rows, sides[level, 1], box.height, box.periodic_y),
-            )
+        column, row = link[i, COLUMN], link[i, ROW]
+        return (
+            _time_to_fall_out(x, vx, hall.gx, column, columns, sides[level, 0], box.width, box.periodic_x),
+            _time_to_fall_out(y, vy, hall.gy, row, rows, sides[level, 1], box.height, box.periodic_y),
+        )
     return (
         _time_to_cross(x, vx, link[i, COLUMN], columns, sides[level, 0], box.width, box.periodic_x),
         _time_to_cross(y, vy, link[i, ROW], rows, sides[level, 1], box.height, box.periodic_y),
