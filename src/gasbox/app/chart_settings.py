@@ -46,7 +46,7 @@ class ChartSettings:
             self.theory.tooltip("the Maxwell distribution at the temperature of the whole gas  T")
             self.menu = StudyMenu(studies, changed)
             ui.element("div").classes("push")
-            ui.label("average over")
+            ui.label("average over").classes("word")
             self.smoothing = ui.select(CHOICES, value=0.0, on_change=self._smooth).mark("smoothing")
             self.smoothing.props('dense options-dense borderless aria-label="Average over"')
             with (

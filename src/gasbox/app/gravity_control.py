@@ -45,6 +45,7 @@ class GravityControl:
         self._send = send
         self._pull = self._last = Pull()
         self._shown: tuple[float, float] | None = None
+        self._floors = (True, True)
         self._unit = 1.0
         self._version = -1
         self._showing = False
@@ -86,16 +87,24 @@ class GravityControl:
             self._version = sample.version
             self._unit = unit_of(sample)
             self._shown = None
+            self._allow(bool(sample.geometry.periodic_x), bool(sample.geometry.periodic_y))
         vector = sample.geometry.gravity
         if vector != self._shown:
             self._draw(vector)
 
+    def _allow(self, periodic_x: bool, periodic_y: bool) -> None:
+        """Gravity needs a floor: along a periodic direction there is none."""
+        self._floors = (not periodic_x, not periodic_y)
+        self._last = Pull(0.0)
+        for control in (self._slider, self._switch, self._size, self._angle):
+            control.set_enabled(any(self._floors))
+
     def toggle(self) -> None:
-        """From some gravity to none, and back to what it was (at first: half strength, down)."""
+        """From some gravity to none, and back to what it was (at first: half strength, down if that has a floor)."""
         if self._pull.strength:
             self.off()
         else:
-            self._choose(self._last if self._last.strength else Pull(0.5))
+            self._choose(self._last if self._last.strength else Pull(0.5, -90.0 if self._floors[1] else 0.0))
 
     def off(self) -> None:
         """No gravity."""
@@ -105,9 +114,10 @@ class GravityControl:
         self._set(pull.vector(self._unit))
 
     def _set(self, vector: tuple[float, float]) -> None:
-        if vector != self._shown:
-            self._draw(vector)
-            self._send(SetGravity(vector))
+        x, y = (part if floor else 0.0 for part, floor in zip(vector, self._floors, strict=True))
+        if (x, y) != self._shown:
+            self._draw((x, y))
+            self._send(SetGravity((x, y)))
 
     def _draw(self, vector: tuple[float, float]) -> None:
         self._shown = vector
@@ -115,7 +125,7 @@ class GravityControl:
         if self._pull.strength:
             self._last = self._pull
         size = math.hypot(*vector)
-        text = f"g = {number(size)}" if size else "no gravity"
+        text = f"g = {number(size)}" if size else "no gravity" if any(self._floors) else "no floor: periodic"
         self._showing = True
         self._text.set_text(text)
         self._pad.show(self._pull, f"{text}, {self._pull.angle:.0f} degrees" if size else text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gasbox.app.history import History
 from gasbox.app.sample import Sample
@@ -12,7 +13,7 @@ from gasbox.app.study import INK, Axis, Picture, Trace, radii
 from gasbox.app.window import Lately
 from gasbox.geometry import Enclosure, Geometry, Rectangle
 from gasbox.observe import temperature, wall_pressure_errors, wall_pressures
-from gasbox.theory import adiabat
+from gasbox.theory import adiabat, mixture
 from gasbox.units import UNIT
 
 __all__ = ["Pressures", "Work"]
@@ -61,7 +62,7 @@ class Pressures:
 
 
 class Work:
-    """Pressure on the first moving side against the area of the gas, with the adiabat through the start."""
+    """Pressure on the first moving side against the area of the gas, and what a slow change would give."""
 
     name, title = "work", "Pressure and area"
     is_light = True
@@ -100,27 +101,39 @@ class Work:
         traces = [
             Trace("pressure", points, "line", None, "var(--accent)"),
             Trace("now", points[-1:], "points", None, "var(--accent)"),
-            *_adiabat(self._start, points[:, 0]),
+            *_expected(self._start, points[:, 0]),
         ]
         return Picture(Axis(_AREA), Axis(_PRESSURE, 0.0), traces)
 
 
-def _adiabat(start: Sample, areas: np.ndarray[tuple[int], np.dtype[np.float64]]) -> list[Trace]:
-    """What a slow change without heat would give; of species of one size, in a closed box without warm walls."""
+def _expected(start: Sample, areas: NDArray[np.float64]) -> list[Trace]:
+    """What a slow change would give, without heat or beside walls of one temperature; of species of one size."""
     geometry, warmth = start.geometry, temperature(start.state, start.geometry)
-    sizes = {species.radius for species in start.scenario.species if species.count}
+    sizes = {radii(start.scenario)[species] for species in np.unique(start.state.species)}
     if not isinstance(geometry, Enclosure) or not warmth or len(sizes) != 1 or any(geometry.gravity):
         return []
-    if any(wall.temperature is not None or wall.open for wall in geometry.walls):
+    warm = {wall.temperature for wall in geometry.walls if wall.temperature is not None}
+    if len(warm) > 1 or any(wall.open for wall in geometry.walls):
         return []
     low, high = float(np.min(areas)), float(np.max(areas))
     if high - low < 0.02 * high:
         return []
     x = np.linspace(low, high, 41)
     begun = geometry.at(start.state.wall_displacement).area
-    y = adiabat.adiabatic_pressure(x, warmth, start.state.count, sizes.pop(), begun)
+    if warm:
+        name, y = "slow, isothermal", _isotherm(start, x, warm.pop())
+    else:
+        name = "slow, without heat"
+        y = adiabat.adiabatic_pressure(x, warmth, start.state.count, float(sizes.pop()), begun)
     points = np.column_stack([x, np.asarray(y)])
-    return [Trace("slow, without heat", points, "theory", None, INK)] if np.all(np.isfinite(points)) else []
+    return [Trace(name, points, "theory", None, INK)] if np.all(np.isfinite(points)) else []
+
+
+def _isotherm(start: Sample, areas: NDArray[np.float64], warmth: float) -> NDArray[np.float64]:
+    counts = np.bincount(start.state.species, minlength=len(start.scenario.species))
+    masses = [species.mass for species in start.scenario.species]
+    gases = [mixture.Mixture.of(counts, masses, radii(start.scenario), float(area)) for area in areas]
+    return np.array([mixture.pressure(gas, warmth) for gas in gases], np.float64)
 
 
 def _moving(geometry: Geometry) -> int | None:

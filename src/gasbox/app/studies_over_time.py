@@ -222,7 +222,7 @@ class Mixing(OverTime):
 class Flow(OverTime):
     """How many pass a line, a membrane or an open wall, per time, over the last seconds."""
 
-    name, title, low = "flow", "Flow through openings", None
+    name, title, low = "flow", "Flow through openings", 0.0
     unit = f"particles per time  ({UNIT['rate']})"
 
     def suits(self, sample: Sample) -> bool:
@@ -232,19 +232,40 @@ class Flow(OverTime):
     is_wanted = suits
 
     def row(self, sample: Sample, lately: Lately | None) -> tuple[float, ...] | None:
-        """Along the normal, and against it as a negative number, gate by gate."""
+        """Along the normal and against it, gate by gate; of an open wall, all that leave."""
         rates = None if lately is None else passage_rates(lately.change, lately.duration)
         if rates is None:
             return None
-        whole = rates.sum(axis=1)
+        both = rates.sum(axis=1)
         return tuple(
-            float(sign * whole[gate, way]) for gate in _gates(sample) for way, sign in ((0, 1), (1, -1))
+            float(rate)
+            for gate in _gates(sample)
+            for rate in ((both[gate].sum(),) if _is_open(sample, gate) else both[gate])
         )
 
     def curves(self, sample: Sample) -> list[tuple[str, str | None]]:
-        """Two for each gate."""
+        """Two for each gate, one for each open wall."""
         names = sample.geometry.wall_names
-        return [(f"{names[gate]}, {way}", None) for gate in _gates(sample) for way in ("forward", "backward")]
+        return [
+            (f"{names[gate]}, {way}", None)
+            for gate in _gates(sample)
+            for way in (("leaving",) if _is_open(sample, gate) else _ways(sample, gate))
+        ]
+
+
+def _is_open(sample: Sample, wall: int) -> bool:
+    assert isinstance(sample.geometry, Enclosure)
+    return sample.geometry.walls[wall].open
+
+
+def _ways(sample: Sample, wall: int) -> tuple[str, str]:
+    """Where the normal of a wall points, and the other way."""
+    assert isinstance(sample.geometry, Enclosure)
+    x, y = sample.geometry.normal(wall)
+    if x == y == 0.0:
+        return "out", "in"
+    words = ("to the right", "to the left") if abs(x) >= abs(y) else ("up", "down")
+    return words if (x if abs(x) >= abs(y) else y) > 0 else words[::-1]
 
 
 def _gates(sample: Sample, most: int = 4) -> list[int]:

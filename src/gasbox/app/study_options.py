@@ -21,6 +21,16 @@ _TOOLTIP = """(shown) => {
   const at = BARS ? shown[0].axisValueLabel : `X ${short(shown[0].value[0])}`;
   return `<table class="tip"><caption>${at}</caption>${rows.join("")}</table>`;
 }"""
+_NUMBER = """(x) => {
+  const text = Math.abs(x) >= 1e4 ? x.toLocaleString("en").replaceAll(",", "\\u2009") : String(+x.toPrecision(9));
+  return text.replace("-", "\\u2212");
+}"""
+_ICON = {
+    "line": "path://M0,3h14v2h-14z",
+    "theory": "path://M0,3h4v2h-4zM5,3h4v2h-4zM10,3h4v2h-4z",
+    "points": "circle",
+    "bars": "roundRect",
+}
 _WHISKER = """(params, api) => {
   const [x, value, error] = [api.value(0), api.value(1), api.value(2)];
   const [px, low] = api.coord([x, value - error]);
@@ -45,19 +55,19 @@ def layout(picture: Picture, description: str) -> dict[str, Any]:
         "textStyle": {"fontFamily": FONT},
         "aria": {"enabled": True, "label": {"description": description}},
         "grid": {
-            "left": 62,
+            "left": 70,
             "right": 16,
             "top": 26 if legend else 10,
             "bottom": 42 if picture.x.name else 24,
         },
         "xAxis": {**plain_axis(picture.x.name, 26), "splitLine": {"show": False}},
-        "yAxis": {**plain_axis(picture.y.name, 46), "axisLine": {"show": False}},
+        "yAxis": {**plain_axis(_upright(picture.y.name), 42), "axisLine": {"show": False}},
         "legend": {
             "show": legend,
-            "data": [trace.name for trace in picture.traces],
+            "data": [{"name": trace.name, "icon": _ICON[trace.kind]} for trace in picture.traces],
             "type": "scroll",
             "top": 0,
-            "left": 58,
+            "left": 66,
             "right": 12,
             "itemWidth": 14,
             "itemHeight": 8,
@@ -87,6 +97,11 @@ def layout(picture: Picture, description: str) -> dict[str, Any]:
     return shape
 
 
+def _upright(name: str) -> str:
+    """The name of a vertical axis, with its unit on a line of its own: small charts have no room for both."""
+    return name.replace("  (", "\n(")
+
+
 def filled(picture: Picture) -> dict[str, Any]:
     """The parts of the options that follow a picture: ends of the axes, and all series."""
     series: list[dict[str, Any]] = []
@@ -97,7 +112,7 @@ def filled(picture: Picture) -> dict[str, Any]:
             series.append(_whiskers(trace, color))
     return {
         "xAxis": {"data": list(picture.x.labels)} if picture.x.labels else _ends(picture.x, tight=True),
-        "yAxis": _ends(picture.y, tight=False),
+        "yAxis": {**_ends(picture.y, tight=False), "name": _upright(picture.y.name)},
         "series": series,
     }
 
@@ -108,7 +123,13 @@ def _ends(axis: Axis, *, tight: bool) -> dict[str, Any]:
     return {
         "name": axis.name,
         "scale": axis.low is None,
-        "axisLabel": {**INK_TEXT, "hideOverlap": True, "showMinLabel": not free, "showMaxLabel": not free},
+        "axisLabel": {
+            **INK_TEXT,
+            "hideOverlap": True,
+            ":formatter": _NUMBER,
+            "showMinLabel": not free,
+            "showMaxLabel": not free,
+        },
         "min": "dataMin" if free else axis.low,
         "max": "dataMax" if free else axis.high,
     }

@@ -126,9 +126,12 @@ class WallControls:
         if self._moves:
             place = displacement_of(sample.state, self.index)
             self._show_place(sample, place)
-            parts.append(f"at {number(place)}")
-        if parts and self._value.text != " · ".join(parts):
-            self._value.set_text(" · ".join(parts))
+            if place or wall.motion is not None:
+                parts.append(f"at {number(place)}")
+        if wall.temperature is not None or self._moves:
+            text = " · ".join(parts) or "move"
+            if self._value.text != text:
+                self._value.set_text(text)
         self._showing = False
 
     def _show_present(self, wall: Wall) -> None:

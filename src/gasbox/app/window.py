@@ -24,7 +24,7 @@ class Lately:
     Attributes
     ----------
     displacement : (walls,) float64 [length], half-way between where walls were and are; empty if none moves
-    brief : the same for the last few seconds alone, or None
+    brief : the same for the last few seconds alone; None before they are over
     """
 
     change: Tallies
@@ -94,5 +94,5 @@ class SlidingWindow:
             return None
         newest = self._rows[-1]
         old = (row for row in reversed(self._rows) if row.run <= newest.run - _BRIEF)
-        recent = next(old, self._rows[0])
-        return newest.since(self._rows[0], newest.since(recent))
+        recent = next(old, None)
+        return newest.since(self._rows[0], None if recent is None else newest.since(recent))
