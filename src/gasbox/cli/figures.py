@@ -30,7 +30,7 @@ from gasbox.theory.mixture import Mixture, ideal_pressure, pressure
 __all__ = ["draw"]
 
 _DOTS_PER_INCH = 150
-_OVERVIEW: Final = ("gas", "profiles", "centers", "energy", "pv", "walls", "sides", "flow")
+_OVERVIEW: Final = ("gas", "profiles", "centers", "transfers", "pv", "walls", "sides", "flow")
 """Order of the further panels of the overview."""
 
 
@@ -73,7 +73,8 @@ def _figure(recording: Recording, first: int, name: str) -> Figure:
         return series_figure(series, species, ideal, discs, scenario.title)
     more = _more(survey(recording, first), scenario, temperature) if _is_more_than_a_box(recording) else []
     quantity = scenario.histograms.quantity
-    return overview_figure(panels, series, quantity, ideal, discs, _title(recording, first), more)
+    title = _title(recording, first, "means" if more else "histograms")
+    return overview_figure(panels, series, quantity, ideal, discs, title, more)
 
 
 def _panels_figure(recording: Recording, first: int, name: str, temperature: float | None) -> Figure:
@@ -142,7 +143,8 @@ def _theory(recording: Recording, temperature: float | None) -> tuple[float | No
     """Pressure of an ideal gas and of hard discs [mass/time²], where one temperature and area say it."""
     end = recording.read(-1)
     geometry = recording.geometry_at(-1)
-    if temperature is None or any(geometry.gravity) or geometry.moves:
+    leaves = recording.read(0).state.count != end.state.count
+    if temperature is None or any(geometry.gravity) or geometry.moves or leaves:
         return None, None
     kinds = recording.scenario.species
     gas = Mixture.of(

@@ -47,7 +47,7 @@ Curve = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 
 def panels_of(name: str, scenario: Scenario, found: Survey, temperature: float | None) -> list[Panel]:
-    """The panels of one figure; none if this recording has nothing to show there.
+    """The panels of one figure (or "transfers" alone); none if this recording has nothing to show there.
 
     Parameters
     ----------
@@ -68,8 +68,12 @@ def panels_of(name: str, scenario: Scenario, found: Survey, temperature: float |
             )
             return [density, heat]
         case "energy" if _has_story(found.book):
-            panels: list[Panel] = [partial(draw_energies, book=found.book)]
-            return [*panels, partial(draw_transfers, book=found.book)] if _is_given(found.book) else panels
+            return [
+                partial(draw_energies, book=found.book),
+                *panels_of("transfers", scenario, found, temperature),
+            ]
+        case "transfers" if _is_given(found.book):
+            return [partial(draw_transfers, book=found.book)]
         case "walls" if np.any(np.isfinite(found.walls.mean)):
             walls = found.walls
             return [partial(draw_wall_pressures, names=walls.names, mean=walls.mean, error=walls.error)]

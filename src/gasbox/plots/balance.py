@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from typing import Final
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from gasbox.observe import EnergyBalance, IndicatorSeries
-from gasbox.plots.style import INK, QUIET, dress, label, legend
+from gasbox.plots.style import INK, KINETIC, POTENTIAL, QUIET, dress, label, legend
 
 __all__ = ["draw_energies", "draw_indicator", "draw_transfers"]
 
 _WORK, _HEAT, _CARRIED, _OTHER = "#0b6bcb", "#c2410c", "#7c4fb5", "#8a6d00"
 _MEASURED = "#0b6bcb"
+MOST_POINTS: Final = 40
+"""Points of a diagram of pressure and area."""
 
 
 def draw_energies(axes: Axes, book: EnergyBalance) -> None:
-    """Kinetic, potential and internal energy over time."""
-    axes.plot(book.time, book.kinetic, color="#c2410c", linewidth=1.2, label="kinetic")
-    axes.plot(book.time, book.potential, color="#0b6bcb", linewidth=1.2, label="potential")
+    """Kinetic, potential and internal energy over time; the first two only where they differ from the third."""
+    if np.any(book.potential):
+        axes.plot(book.time, book.kinetic, color=KINETIC, linewidth=1.2, label="kinetic")
+        axes.plot(book.time, book.potential, color=POTENTIAL, linewidth=1.2, label="potential")
     axes.plot(book.time, book.internal, color=INK, linewidth=1.7, label="internal")
     axes.set_title("energy")
     axes.set_xlabel(label("time", "time"))
@@ -60,12 +65,13 @@ def draw_indicator(
 ) -> None:
     """Pressure on a moving wall against the area of the enclosure, later points darker.
 
+    Windows are put together until no more than `MOST_POINTS` are left, lest single hits hide the curve.
+
     Parameters
     ----------
     curves : name, areas [length²] and pressures [mass/time²] of what theory says
     """
-    seen = np.isfinite(diagram.pressure)
-    area, pressure = diagram.mid_area[seen], diagram.pressure[seen]
+    area, pressure = _together(diagram)
     axes.plot(area, pressure, color=_MEASURED, linewidth=0.8, alpha=0.35)
     if area.size:
         shade = np.linspace(0.25, 1.0, area.size)
@@ -79,6 +85,18 @@ def draw_indicator(
     axes.set_ylim(bottom=0.0)
     dress(axes)
     legend(axes, place="best")
+
+
+def _together(diagram: IndicatorSeries) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Mean areas and pressures of as many neighbouring windows as it takes, each weighted by its duration."""
+    area, pressure, window = diagram.mid_area[1:], diagram.pressure[1:], np.diff(diagram.time)
+    seen = np.isfinite(pressure)
+    area, pressure, window = area[seen], pressure[seen], window[seen]
+    if not area.size:
+        return area, pressure
+    starts = np.arange(0, area.size, math.ceil(area.size / MOST_POINTS))
+    whole = np.add.reduceat(window, starts)
+    return np.add.reduceat(window * area, starts) / whole, np.add.reduceat(window * pressure, starts) / whole
 
 
 def _settle(axes: Axes, internal: NDArray[np.float64]) -> None:

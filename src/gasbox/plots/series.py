@@ -10,13 +10,15 @@ from matplotlib.figure import Figure, SubFigure
 from numpy.typing import NDArray
 
 from gasbox.observe import Series
-from gasbox.plots.style import INK, QUIET, darker, dress, label, legend, new_figure
+from gasbox.plots.style import INK, KINETIC, POTENTIAL, QUIET, darker, dress, label, legend, new_figure
 
 __all__ = ["draw_series", "series_figure"]
 
 _WALL, _VIRIAL = "#0b6bcb", "#c2410c"
 _LEAST_SPAN = 0.02
 """Least height of the energy axis as a share of the energy: rounding errors must not look like events."""
+_CONSERVED = 1e-3
+"""A larger relative change is no error that one would like to know: it is work, heat or discs that left."""
 
 
 def series_figure(
@@ -61,18 +63,27 @@ def draw_series(
 
 
 def _draw_energy(axes: Axes, series: Series) -> None:
-    axes.plot(series.time, series.energy, color=INK, linewidth=1.6)
+    """The kinetic energy; where there is a potential one, both and their sum, which is what is conserved then."""
+    energy = series.energy
+    if np.any(series.potential_energy):
+        axes.plot(series.time, series.energy, color=KINETIC, linewidth=1.1, label="kinetic")
+        axes.plot(series.time, series.potential_energy, color=POTENTIAL, linewidth=1.1, label="potential")
+        energy = series.energy + series.potential_energy
+    # The name goes into a legend only where there is more than one line.
+    name = "internal" if energy is not series.energy else None
+    axes.plot(series.time, energy, color=INK, linewidth=1.6, label=name)
     axes.set_ylabel(label("energy", "energy", lines=2))
     axes.ticklabel_format(axis="y", useOffset=False)
-    if series.energy.size == 0:
+    if energy.size == 0:
         return
-    first = float(series.energy[0])
+    first = float(energy[0])
     low, high = axes.get_ylim()
     if high - low < _LEAST_SPAN * abs(first):
-        axes.set_ylim(first * (1.0 - _LEAST_SPAN), first * (1.0 + _LEAST_SPAN))
-    if first != 0.0:
-        change = float(np.max(np.abs(series.energy - first))) / first
-        text = f"largest relative change {change:.1e}"
+        half = _LEAST_SPAN * abs(first)
+        axes.set_ylim(first - half, first + half)
+    change = float(np.max(np.abs(energy - first)))
+    if abs(first) > 0.0 and change < _CONSERVED * abs(first):
+        text = f"largest relative change {change / abs(first):.1e}"
         axes.text(0.99, 0.95, text, transform=axes.transAxes, ha="right", va="top", fontsize=8, color=QUIET)
 
 

@@ -10,13 +10,15 @@ from matplotlib.figure import Figure
 
 from gasbox.units import UNIT
 
-__all__ = ["GRID", "INK", "QUIET", "darker", "dress", "label", "legend", "new_figure"]
+__all__ = ["GRID", "INK", "KINETIC", "POTENTIAL", "QUIET", "darker", "dress", "label", "legend", "new_figure"]
 
 INK: Final = "#1d2530"
 """Text, axes and curves of theory."""
 QUIET: Final = "#5b6673"
 """Ticks and second-rank text."""
 GRID: Final = "#dfe3e8"
+KINETIC: Final = "#c2410c"
+POTENTIAL: Final = "#0b6bcb"
 
 
 def new_figure(width: float, height: float) -> Figure:

@@ -52,6 +52,8 @@ def draw_passed(
 ) -> None:
     """How many discs have passed walls so far: forwards less backwards, and each way as thin lines.
 
+    Where none came back, as through an open wall, those that passed count, whichever way they went.
+
     Parameters
     ----------
     time : (frames,) float64 [time]
@@ -59,6 +61,7 @@ def draw_passed(
     names : of these walls
     """
     styles = ("-", "--", ":", "-.")
+    one_way = not np.any(np.any(passed[..., 0], axis=(0, 2)) & np.any(passed[..., 1], axis=(0, 2)))
     for wall, wall_name in enumerate(names):
         for number, (name, color) in enumerate(species):
             forward, backward = passed[:, wall, number, 0], passed[:, wall, number, 1]
@@ -66,12 +69,13 @@ def draw_passed(
                 continue
             line: dict[str, Any] = {"color": darker(color, 0.85), "linestyle": styles[wall % len(styles)]}
             parts = ([wall_name] if len(names) > 1 else []) + ([name] if len(species) > 1 else [])
-            axes.plot(time, forward - backward, linewidth=1.6, label=", ".join(parts) or "net", **line)
+            net = forward + backward if one_way else forward - backward
+            axes.plot(time, net, linewidth=1.6, label=", ".join(parts) or "net", **line)
             if np.any(forward) and np.any(backward):
                 axes.plot(time, forward, linewidth=0.7, alpha=0.6, **line)
                 axes.plot(time, -backward, linewidth=0.7, alpha=0.6, **line)
     axes.set_title(f"passed {names[0]}" if len(names) == 1 else "passed")
     axes.set_xlabel(label("time", "time"))
-    axes.set_ylabel("discs, forwards less backwards")
+    axes.set_ylabel("discs" if one_way else "discs, forwards less backwards")
     dress(axes)
     legend(axes, place="best")
