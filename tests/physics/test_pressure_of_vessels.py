@@ -14,7 +14,17 @@ import pytest
 from vessels import agrees, gas, kinetic_energy, mean_and_error, run, vessel
 
 from gasbox import observe
-from gasbox.geometry import Block, Circle, Piston, Polygon, Post, Rectangle, Segment, Sinusoid, regular_polygon
+from gasbox.geometry import (
+    Block,
+    Circle,
+    Piston,
+    Polygon,
+    Post,
+    Rectangle,
+    Segment,
+    Sinusoid,
+    regular_polygon,
+)
 from gasbox.state import ContactKind
 from gasbox.theory import finite, walls
 
