@@ -1,4 +1,4 @@
-"""The same gas in vessels of every shape: one pressure on all walls, hits by area and perimeter, momentum through walls.
+"""The same gas in vessels of every shape: one pressure on all walls, hits by area and perimeter, momentum.
 
 Discs of radius 0.1 at 0.1 a unit of accessible area: of area fraction 0.003, so that layers at walls and corners, of
 the order of the area fraction in Z - 1, stay below 1e-3 of the pressure: `LAYERS`.
