@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any, Final
 
 import numpy as np
 
@@ -165,6 +166,8 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
         ("stepped dynamics", lambda: _run_tiny("stepped")),
         ("finding events", lambda: build(_tiny("event-driven"))),
         ("event-driven dynamics", lambda: _run_tiny("event-driven")),
+        ("stepped dynamics, walls of any shape", lambda: _run_tiny("stepped", enclosed=True)),
+        ("event-driven dynamics, walls of any shape", lambda: _run_tiny("event-driven", enclosed=True)),
     ]
     for done, (name, compile_part) in enumerate(parts):
         if progress is not None:
@@ -175,9 +178,17 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
     mark_compiled()
 
 
-def _tiny(kind: str) -> Scenario:
+_ENCLOSED: Final[dict[str, Any]] = {
+    "gravity": [0, -0.1],
+    "walls": {"top": {"motion": {"kind": "piston", "mass": 10, "pressure": 1}}, "left": {"temperature": 1}},
+    "obstacles": [{"shape": "segment", "start": [10, 0], "end": [10, 5], "passes": ["small"]}],
+}
+
+
+def _tiny(kind: str, enclosed: bool = False) -> Scenario:
     return parse(
         {
+            **(_ENCLOSED if enclosed else {}),
             "format": "gasbox-scenario/1",
             "container": {"shape": "rectangle", "width": 20, "height": 20},
             "species": [
@@ -197,7 +208,7 @@ def _part_tiny() -> None:
     separate(state, geometry)
 
 
-def _run_tiny(kind: str) -> None:
-    parts = build(_tiny(kind))
+def _run_tiny(kind: str, enclosed: bool = False) -> None:
+    parts = build(_tiny(kind, enclosed))
     parts.dynamics.contacts = Contacts.empty(8)
     parts.dynamics.advance(parts.state, 2.0)

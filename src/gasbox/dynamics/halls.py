@@ -45,6 +45,8 @@ def start_walls(
     """
     if rows is not None:
         hall.wall[:, : UNTIL + 1] = np.asarray(rows, np.float64).reshape(-1, UNTIL + 1)
+        never = hall.wall[:, UNTIL] < 0.0
+        hall.wall[never, UNTIL] = math.inf
         return
     assert isinstance(geometry, Enclosure)
     for number, wall in enumerate(geometry.walls):
@@ -100,5 +102,7 @@ def _at_stop(hall: Hall, number: int, now: float, size: float) -> bool:
 
 
 def wall_rows(hall: Hall) -> NDArray[np.float64]:
-    """(walls, 8) float64: what must be remembered of the motion of all walls."""
-    return hall.wall[:, : UNTIL + 1].copy()
+    """(walls, 8) float64: what must be remembered of the motion of all walls; a piece without an end ends at -1."""
+    rows = hall.wall[:, : UNTIL + 1].copy()
+    rows[np.isinf(rows[:, UNTIL]), UNTIL] = -1.0
+    return rows
