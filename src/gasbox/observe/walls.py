@@ -51,6 +51,8 @@ class MeanDisplacement:
     def see(self, state: State) -> None:
         """Take note of where walls are; looks come in the order of time."""
         (time, place), now = self._last, state.wall_displacement
+        if state.time <= time:
+            return
         if now.shape != place.shape:
             # Walls that began to move only now stood still before.
             place = self._sum = np.zeros(now.shape)

@@ -66,6 +66,8 @@ class Simulation:
         """Time at the start of this run [time]."""
         self.start_tallies = self.dynamics.tallies.copy()
         """Tallies at the start of this run."""
+        self.mean_displacement = observe.MeanDisplacement(self.state)
+        """Where walls were on average over this run."""
         self._origin = (self.state.time, 0)
         self._start_geometry = scenario.geometry()
         self._plan = self._what_is_to_come()
@@ -99,6 +101,9 @@ class Simulation:
         self.geometry = altered(self.geometry, self.time, change, self._start_geometry)
         self.dynamics.alter(self.state, self.geometry)
         self.changes.append((self.time, change))
+        for observer in self._observers:
+            if isinstance(observer, observe.FollowsChanges):
+                observer.changed(self.state, self.geometry)
 
     def attach(self, observer: Observer) -> None:
         """Let an observer read the run from now on."""
@@ -152,6 +157,7 @@ class Simulation:
         while self.dynamics.advance(self.state, until) is Status.FULL:
             self._read_contacts()
         self._read_contacts()
+        self.mean_displacement.see(self.state)
 
     def _read_contacts(self) -> None:
         contacts = self.dynamics.contacts
@@ -169,7 +175,8 @@ class Simulation:
         """Pressure on the walls, measured over this run [mass/time²]; None without walls, or before it began."""
         change = self.dynamics.tallies - self.start_tallies
         radii = summary.radii(self.scenario)
-        return observe.wall_pressure(change, self.geometry, radii, self.time - self.start_time)
+        geometry = summary.mean_geometry(self)
+        return observe.wall_pressure(change, geometry, radii, self.time - self.start_time)
 
     def energy(self) -> float:
         """Kinetic energy of all particles [energy]."""

@@ -27,6 +27,7 @@ class Run(Protocol):
     frame: int
     start_time: float
     start_tallies: Tallies
+    mean_displacement: observe.MeanDisplacement
     wall_seconds: float
     warnings: tuple[str, ...]
 
@@ -95,10 +96,8 @@ def summary(simulation: Run) -> dict[str, Any]:
 
 
 def mean_geometry(simulation: Run) -> Geometry:
-    """The geometry with its walls where they were on average over this run, as far as that was followed."""
-    followed = getattr(simulation, "mean_displacement", None)
-    last = simulation.state.wall_displacement
-    place = followed.value() if isinstance(followed, observe.MeanDisplacement) else last
+    """The geometry with its walls where they were on average over this run."""
+    place, last = simulation.mean_displacement.value(), simulation.state.wall_displacement
     return simulation.geometry.at(place if place.shape == last.shape else last)
 
 
