@@ -12,10 +12,12 @@ import math
 
 from gasbox.jit import inlined_kernel
 
-__all__ = ["GRAZING_SPEED", "MARCHES", "first_fall", "safe_step"]
+__all__ = ["CLOSE", "GRAZING_SPEED", "MARCHES", "first_fall", "safe_step"]
 
 GRAZING_SPEED = 1e-13
 """An approach slower than this part of the relative speed is none: rounding could not tell its sign."""
+CLOSE = 1e-9
+"""Of the lengths involved: so near a zero the march goes over to Newton's method, which then doubles the digits."""
 MARCHES = 2000
 """Most steps of a march; a disc that needs more than some dozens rolls along the wall."""
 
