@@ -4,6 +4,7 @@ Force per length, as everywhere, and per the length that centres can reach. A wa
 and one that is absent are no pressure gauge. Of an obstacle the pressure is the mean over all that can be touched of
 it, both sides of a divider together. Where walls move, lengths change: give the geometry at the mean displacement of
 the time in question (`gasbox.observe.between`); lengths between straight walls are linear in it.
+Over a time in which a wall grows much longer or shorter its pressure is then the mean weighted by its length.
 """
 
 from __future__ import annotations
