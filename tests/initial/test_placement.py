@@ -27,7 +27,7 @@ def is_populated(scenario):
 def test_shipped_scenarios(name):
     scenario = load(name)
     state = populate(scenario)
-    assert worst_overlap(state, scenario.container.geometry()) is None
+    assert worst_overlap(state, scenario.geometry()) is None
     listed = scenario.particles.count if scenario.particles else 0
     assert state.count == listed + sum(species.count for species in scenario.species)
     assert state.id.tolist() == list(range(state.count))

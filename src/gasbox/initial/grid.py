@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
 from gasbox.kernels.size_grid import SizeGrid
 
 __all__ = ["empty_grid"]
@@ -16,7 +16,7 @@ __all__ = ["empty_grid"]
 _MOST_CLASSES: Final = 32
 
 
-def empty_grid(geometry: Rectangle, radius: NDArray[np.float64]) -> SizeGrid:
+def empty_grid(geometry: Geometry, radius: NDArray[np.float64]) -> SizeGrid:
     """Grids without discs, for discs of these radii (n,) [length]."""
     size_class, top, counts = _classes(radius)
     cells = np.array(
@@ -49,10 +49,10 @@ def _classes(
     return size_class.astype(np.int32), top, counts
 
 
-def _cells(geometry: Rectangle, diameter: float, count: int) -> tuple[int, int]:
+def _cells(geometry: Geometry, diameter: float, count: int) -> tuple[int, int]:
     """Number of cells along x and y: at least a diameter wide, and not many more than discs."""
     most = 4 * count + 64
-    width = max(diameter, math.sqrt(geometry.area / most))
+    width = max(diameter, math.sqrt(geometry.width * geometry.height / most))
     columns = max(1, min(most, int(geometry.width / width)))
     rows = max(1, min(most, int(geometry.height / width)))
     return columns, rows

@@ -8,10 +8,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from gasbox.geometry import Enclosure
 from gasbox.initial.grid import empty_grid
 from gasbox.initial.room import Room
+from gasbox.initial.sampling import Places, places
 from gasbox.kernels.overlaps import SEPARATED, enter_all, push_apart
-from gasbox.kernels.placement import insert
+from gasbox.kernels.placement import insert, insert_between
 
 __all__ = ["alike", "insert_at_random", "squeeze_in"]
 
@@ -43,13 +45,33 @@ def insert_at_random(
     """
     tries = tries_each * discs.size + _TRIES_MORE
     done = 0
+    between = _between(room, int(discs[0])) if room.walls is not None else None
+    if room.walls is not None and between is None:
+        return discs
     while done < discs.size and tries > 0:
         # Never more tries than discs: the last ones must not all come to lie in the first stripes.
-        uniform = _striped(random.random((min(_BATCH, discs.size - done), 2)))
-        done += insert(room.grid, room.position, room.radius, discs[done:], room.low, room.high, uniform)
-        tries -= uniform.shape[0]
+        batch = min(_BATCH, discs.size - done)
+        if between is None:
+            uniform = _striped(random.random((batch, 2)))
+            done += insert(room.grid, room.position, room.radius, discs[done:], room.low, room.high, uniform)
+        else:
+            done += _insert_between(room, discs[done:], between.draw(batch, random))
+        tries -= batch
     room.placed[discs[:done]] = True
     return discs[done:]
+
+
+def _between(room: Room, disc: int) -> Places | None:
+    """Where the centre of a disc can be between the walls of an enclosure."""
+    assert isinstance(room.geometry, Enclosure)
+    return places(room.geometry, float(room.reach[disc]), room.low[disc], room.high[disc])
+
+
+def _insert_between(room: Room, discs: NDArray[np.int64], drawn: NDArray[np.float64]) -> int:
+    """Try the places `drawn` (tries, 2) [length]; return how many discs found one."""
+    drawn = np.clip(drawn, room.low[discs[0]], room.high[discs[0]])
+    assert room.walls is not None
+    return insert_between(room.walls, room.grid, room.position, room.radius, discs, room.reach, drawn)
 
 
 def _striped(points: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -80,7 +102,17 @@ def squeeze_in(
     for stage in np.linspace(factor, 1.0, _STAGES + 1)[1:]:
         growing = _resized(growing, room, discs, float(stage))
         status, work = push_apart(
-            growing.grid, growing.position, growing.radius, share, room.low, room.high, _GAP, discs, budget
+            growing.grid,
+            growing.position,
+            growing.radius,
+            share,
+            room.low,
+            room.high,
+            room.reach,
+            room.walls,
+            _GAP,
+            discs,
+            budget,
         )
         budget -= work
         if status != SEPARATED:

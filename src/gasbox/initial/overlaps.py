@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gasbox.errors import Problem, ScenarioError
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Enclosure, Geometry
 from gasbox.initial.grid import empty_grid
+from gasbox.initial.walls import bounds, out_of_walls, worst_at_wall
 from gasbox.kernels.overlaps import SEPARATED, enter_all, push_apart, worst_pair
 from gasbox.state import State
 
@@ -45,7 +45,7 @@ class Overlap:
         return f"particle {self.first} and {other} overlap by {self.depth:.3g}"
 
 
-def worst_overlap(state: State, geometry: Rectangle) -> Overlap | None:
+def worst_overlap(state: State, geometry: Geometry) -> Overlap | None:
     """The deepest overlap of two discs or of a disc and a wall; None if nothing more than touches.
 
     Touching is up to 1e-9 of the smaller radius: as much as exact dynamics may leave by rounding.
@@ -63,19 +63,15 @@ def worst_overlap(state: State, geometry: Rectangle) -> Overlap | None:
     return pair if pair.depth >= wall.depth else wall
 
 
-def _worst_at_wall(state: State, geometry: Rectangle) -> Overlap | None:
-    x, y = state.position.T
-    depth = np.stack([-x, x - geometry.width, -y, y - geometry.height]) + state.radius
-    depth[np.repeat(geometry.periodic, 2)] = -np.inf
-    # A wall is as far away as the side is long: rounding grows with it.
-    depth[depth <= _TOUCHING * state.radius + 4 * np.spacing(geometry.size.max())] = -np.inf
-    wall, row = np.unravel_index(np.argmax(depth), depth.shape)
-    if depth[wall, row] == -np.inf:
+def _worst_at_wall(state: State, geometry: Geometry) -> Overlap | None:
+    found = worst_at_wall(state.position, state.radius, geometry, _TOUCHING)
+    if found is None:
         return None
-    return Overlap(int(state.id[row]), None, float(depth[wall, row]), Rectangle.WALLS[wall])
+    row, wall, depth = found
+    return Overlap(int(state.id[row]), None, depth, geometry.wall_names[wall])
 
 
-def separate(state: State, geometry: Rectangle) -> float:
+def separate(state: State, geometry: Geometry) -> float:
     """Push overlapping discs apart and into the walls, in place, each pair only as far as it needs.
 
     Lighter discs give way farther, so that the centre of mass of a pair stays where it is.
@@ -91,14 +87,19 @@ def separate(state: State, geometry: Rectangle) -> float:
     """
     if not state.count:
         return 0.0
-    low, high = _bounds(state.radius, geometry)
+    low, high = bounds(state.radius, geometry)
     position = np.clip(geometry.wrap(state.position), low, high)
+    walls = None
+    if isinstance(geometry, Enclosure):
+        walls, position = out_of_walls(position, state.radius, geometry)
     grid = empty_grid(geometry, state.radius)
     everyone = np.arange(state.count)
     enter_all(grid, position, everyone)
     share = state.mass.min() / state.mass
     budget = _LOOKS_EACH * state.count + _LOOKS_MORE
-    status, _ = push_apart(grid, position, state.radius, share, low, high, _GAP, everyone, budget)
+    status, _ = push_apart(
+        grid, position, state.radius, share, low, high, state.radius, walls, _GAP, everyone, budget
+    )
     if status != SEPARATED:
         fraction = float(np.pi * np.square(state.radius).sum()) / geometry.area
         found = f"overlapping discs at an area fraction of {fraction:.4g}"
@@ -107,11 +108,3 @@ def separate(state: State, geometry: Rectangle) -> float:
     moved -= np.where(geometry.periodic, np.round(moved / geometry.size) * geometry.size, 0.0)
     state.position[:] = position
     return float(np.sqrt(np.square(moved).sum(axis=1)).max())
-
-
-def _bounds(
-    radius: NDArray[np.float64], geometry: Rectangle
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Lower and upper bounds (n, 2) [length] of the centres."""
-    margin = np.where(geometry.periodic, 0.0, radius[:, None])
-    return margin, geometry.size - margin

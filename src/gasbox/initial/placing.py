@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.errors import Problem, ScenarioError
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Enclosure
 from gasbox.initial.arrangement import most_places
+from gasbox.initial.barriers import barriers
 from gasbox.initial.insertion import alike, insert_at_random, squeeze_in
 from gasbox.initial.lattice import place_on_lattice
 from gasbox.initial.room import Room
 from gasbox.rng import Stream, generator
-from gasbox.scenario import Crowd, Scenario, crowds
+from gasbox.scenario import Crowd, Scenario, centre_bounds, crowds
 
 __all__ = ["place"]
 
@@ -43,15 +45,19 @@ def place(
     geometry = scenario.geometry()
     radii = np.array([entry.radius for entry in scenario.species])
     bounds = np.array([entry.bounds(geometry) for entry in scenario.species])
-    low, high = _centre_bounds(geometry, bounds, radii)
+    found = crowds(geometry, scenario.species, scenario.particles)
+    low, high = _centre_bounds(scenario)
     random = generator(scenario.seed, Stream.POSITIONS)
     turn = _turns(radii[species], bounds[species], random)
     every = np.concatenate([listed_species, species[turn]])
-    room = Room.around(geometry, listed, radii[every], low[every], high[every])
+    walls = None
+    if isinstance(geometry, Enclosure) and not all(crowd.plain for crowd in found):
+        walls = barriers(geometry, float(radii.max()))
+    room = Room.around(geometry, listed, radii[every], low[every], high[every], walls)
     count = listed.shape[0]
-    for crowd in _islands(crowds(geometry, scenario.species, scenario.particles)):
+    for crowd in _islands(found):
         discs = count + np.flatnonzero(np.isin(species[turn], crowd.members))
-        if not _place_crowd(room, crowd, discs, count, random):
+        if not _place_crowd(_as_seen_by(crowd, room), crowd, discs, count, random):
             raise ScenarioError([_refusal(room, crowd, discs)])
     placed = np.empty((species.shape[0], 2))
     placed[turn] = room.position[count:]
@@ -68,16 +74,17 @@ def _turns(
     return np.lexsort((random.random(radius.shape[0]), *bounds.T, -radius))
 
 
-def _centre_bounds(
-    geometry: Rectangle, bounds: NDArray[np.float64], radii: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Lower and upper bounds (species, 2) [length] of the centres, for parts given as left, right, lower, upper end."""
-    low, high = bounds[:, [0, 2]].copy(), bounds[:, [1, 3]].copy()
-    around = geometry.periodic & (low == 0) & (high == geometry.size)
-    low += np.where(around, 0.0, radii[:, None])
-    high -= np.where(around, 0.0, radii[:, None])
-    # A disc exactly as wide as its part has one place; rounding may have turned the bounds around.
-    return np.minimum(low, high), high
+def _centre_bounds(scenario: Scenario) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Lower and upper bounds (species, 2) [length] of the centres."""
+    geometry = scenario.geometry()
+    found = [centre_bounds(geometry, entry.bounds(geometry), entry.radius) for entry in scenario.species]
+    low, high = np.array(found).transpose(1, 0, 2)
+    return low.copy(), high.copy()
+
+
+def _as_seen_by(crowd: Crowd, room: Room) -> Room:
+    """The same room; where nothing stands in the part of a crowd, without walls."""
+    return replace(room, walls=None) if crowd.plain else room
 
 
 def _islands(found: tuple[Crowd, ...]) -> tuple[Crowd, ...]:
@@ -88,7 +95,7 @@ def _islands(found: tuple[Crowd, ...]) -> tuple[Crowd, ...]:
 def _place_crowd(
     room: Room, crowd: Crowd, discs: NDArray[np.int64], fixed: int, random: np.random.Generator
 ) -> bool:
-    one_size = crowd.alone and np.unique(room.radius[discs]).size == 1
+    one_size = crowd.plain and crowd.alone and np.unique(room.radius[discs]).size == 1
     if one_size and crowd.fraction > _DILUTE and place_on_lattice(room, discs, random):
         return True
     for tries_each in _TRIES_EACH:
@@ -112,7 +119,7 @@ def _refusal(room: Room, crowd: Crowd, discs: NDArray[np.int64]) -> Problem:
     found = f"{discs.size} discs at an area fraction of {crowd.fraction:.4g}"
     allowed = f"no places were found for them, although the limit is {crowd.limit:g}"
     radius = room.radius[discs]
-    if crowd.alone and np.unique(radius).size == 1:
+    if crowd.plain and crowd.alone and np.unique(radius).size == 1:
         most = most_places(room.patch(int(discs[0])), 2 * float(radius[0]))
         fraction = most * math.pi * float(radius[0]) ** 2 / crowd.area
         allowed += f"; rows and columns hold at most {most} in a box of this shape, an area fraction of {fraction:.4g}"

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.geometry import Rectangle
+from gasbox.geometry import Geometry
 from gasbox.initial.arrangement import Patch
 from gasbox.initial.grid import empty_grid
+from gasbox.kernels.barriers import Barriers
 from gasbox.kernels.overlaps import enter_all
 from gasbox.kernels.size_grid import SizeGrid
 
@@ -28,31 +29,35 @@ class Room:
     position : (n, 2) float64 [length]; valid for the discs that are placed
     placed : (n,) bool, which have their place
     grid : the discs that are placed
+    reach : (n,) float64 [length], how far from walls the centre of each disc stays
+    walls : what stands in the way apart from the bounds; None for nothing
     """
 
-    geometry: Rectangle
+    geometry: Geometry
     radius: NDArray[np.float64]
     low: NDArray[np.float64]
     high: NDArray[np.float64]
     position: NDArray[np.float64]
     placed: NDArray[np.bool_]
     grid: SizeGrid
+    reach: NDArray[np.float64]
+    walls: Barriers | None = None
 
     @classmethod
     def around(
         cls,
-        geometry: Rectangle,
+        geometry: Geometry,
         listed: NDArray[np.float64],
         radius: NDArray[np.float64],
         low: NDArray[np.float64],
         high: NDArray[np.float64],
+        walls: Barriers | None = None,
     ) -> Room:
         """A room in which the first discs have the positions `listed` (m, 2) [length], and the others need one."""
         count = radius.shape[0]
         position = np.zeros((count, 2))
-        room = cls(
-            geometry, radius, low, high, position, np.zeros(count, np.bool_), empty_grid(geometry, radius)
-        )
+        placed, grid = np.zeros(count, np.bool_), empty_grid(geometry, radius)
+        room = cls(geometry, radius, low, high, position, placed, grid, radius, walls)
         room.enter(np.arange(listed.shape[0]), listed)
         return room
 

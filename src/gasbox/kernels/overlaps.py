@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import kernel
+from gasbox.kernels.barriers import Barriers, moved
 from gasbox.kernels.size_grid import SizeGrid, around, first_cell, last_cell, nearest, put, take
 
 __all__ = ["CROWDED", "SEPARATED", "enter_all", "push_apart", "worst_pair"]
@@ -111,12 +112,19 @@ def _move(
     position: NDArray[np.float64],
     low: NDArray[np.float64],
     high: NDArray[np.float64],
+    reach: NDArray[np.float64],
+    walls: Barriers | None,
     i: int,
     dx: float,
     dy: float,
 ) -> None:
     """Move disc `i` by (dx, dy), as far as its bounds allow, and round where its bounds are the whole period."""
     take(grid, i, position[i, 0], position[i, 1])
+    if walls is not None:
+        x, y = moved(walls, position[i, 0], position[i, 1], dx, dy, reach[i], low[i], high[i])
+        position[i, 0], position[i, 1] = x, y
+        put(grid, i, x, y)
+        return
     for axis in range(2):
         place = position[i, axis] + (dx if axis == 0 else dy)
         length = grid.size[axis]
@@ -134,6 +142,8 @@ def _push(
     share: NDArray[np.float64],
     low: NDArray[np.float64],
     high: NDArray[np.float64],
+    reach: NDArray[np.float64],
+    walls: Barriers | None,
     gap: float,
     i: int,
     j: int,
@@ -154,8 +164,8 @@ def _push(
         dx, dy = dx / distance, dy / distance
     way = touch * (1.0 + gap) - distance
     near, far = way * share[i] / total, way * share[j] / total
-    _move(grid, position, low, high, i, dx * near, dy * near)
-    _move(grid, position, low, high, j, -dx * far, -dy * far)
+    _move(grid, position, low, high, reach, walls, i, dx * near, dy * near)
+    _move(grid, position, low, high, reach, walls, j, -dx * far, -dy * far)
     return True
 
 
@@ -167,6 +177,8 @@ def push_apart(
     share: NDArray[np.float64],
     low: NDArray[np.float64],
     high: NDArray[np.float64],
+    reach: NDArray[np.float64],
+    walls: Barriers | None,
     gap: float,
     queue: NDArray[np.int64],
     budget: int,
@@ -183,6 +195,8 @@ def push_apart(
     radius : (n,) float64 [length]
     share : (n,) float64, how readily a disc gives way; 0 for one that stays
     low, high : (n, 2) float64 [length], bounds of the centres
+    reach : (n,) float64 [length], how far from walls the centre of each disc stays
+    walls : what else stands in the way, of which all discs are clear; None for nothing
     gap : how far beyond touching they are pushed, as a fraction of the sum of the radii
     queue : (m,) int64, which discs to look at first, each once
     budget : most cells and discs that are looked at
@@ -210,7 +224,7 @@ def push_apart(
         work += looked
         for number in range(near):
             j = found[number]
-            if _push(grid, position, radius, share, low, high, gap, i, j):
+            if _push(grid, position, radius, share, low, high, reach, walls, gap, i, j):
                 for moved in (i, j):
                     if not waiting[moved] and share[moved] > 0.0:
                         ring[end] = moved

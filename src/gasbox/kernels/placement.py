@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import kernel
+from gasbox.kernels.barriers import Barriers, is_clear
 from gasbox.kernels.size_grid import SizeGrid, overlaps_any, put, take
 
-__all__ = ["free_places", "insert", "shake"]
+__all__ = ["free_places", "insert", "insert_between", "shake"]
 
 
 @kernel
@@ -50,6 +51,43 @@ def insert(
         i = order[placed]
         x = min(low[i, 0] + uniform[attempt, 0] * (high[i, 0] - low[i, 0]), high[i, 0])
         y = min(low[i, 1] + uniform[attempt, 1] * (high[i, 1] - low[i, 1]), high[i, 1])
+        if not overlaps_any(grid, position, radius, i, x, y, radius[i]):
+            position[i, 0] = x
+            position[i, 1] = y
+            put(grid, i, x, y)
+            placed += 1
+    return placed
+
+
+@kernel
+def insert_between(
+    walls: Barriers,
+    grid: SizeGrid,
+    position: NDArray[np.float64],
+    radius: NDArray[np.float64],
+    order: NDArray[np.int64],
+    reach: NDArray[np.float64],
+    places: NDArray[np.float64],
+) -> int:
+    """As `insert`, but between walls of any shape, at given places.
+
+    Parameters
+    ----------
+    reach : (n,) float64 [length], how far from walls the centre of each disc stays
+    places : (tries, 2) float64 [length], within the bounds of the discs
+
+    Returns
+    -------
+    Number of discs placed.
+    """
+    placed = 0
+    for attempt in range(places.shape[0]):
+        if placed == order.shape[0]:
+            break
+        i = order[placed]
+        x, y = places[attempt, 0], places[attempt, 1]
+        if not is_clear(walls, x, y, reach[i]):
+            continue
         if not overlaps_any(grid, position, radius, i, x, y, radius[i]):
             position[i, 0] = x
             position[i, 1] = y

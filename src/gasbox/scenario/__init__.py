@@ -7,7 +7,7 @@ from gasbox.scenario.container import (
     RectangleContainer,
     RegularPolygonContainer,
 )
-from gasbox.scenario.density import MIXTURE_LIMIT, ONE_SIZE_LIMIT, Crowd, crowds
+from gasbox.scenario.density import MIXTURE_LIMIT, ONE_SIZE_LIMIT, Crowd, centre_bounds, crowds
 from gasbox.scenario.dynamics import EventDriven, Stepped
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.json_schema import schema
@@ -44,6 +44,7 @@ __all__ = [
     "Species",
     "Stepped",
     "WallSettings",
+    "centre_bounds",
     "crowds",
     "load",
     "parse",
