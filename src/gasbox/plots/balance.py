@@ -76,7 +76,9 @@ def draw_indicator(
     if area.size:
         shade = np.linspace(0.25, 1.0, area.size)
         colors = np.column_stack([np.tile((0.04, 0.42, 0.80), (area.size, 1)), shade])
-        axes.scatter(area, pressure, s=16, c=colors, linewidths=0, zorder=2.5, label="on the wall")
+        axes.scatter(area, pressure, s=16, c=colors, linewidths=0, zorder=2.5)
+        # In the legend as dark as the last one: the first is too pale for it.
+        axes.plot([], [], color=_MEASURED, marker="o", markersize=4, linestyle="none", label="on the wall")
     for (name, places, values), style in zip(curves, ("--", ":", "-."), strict=False):
         axes.plot(places, values, color=INK, linewidth=1.4, linestyle=style, label=name)
     axes.set_title("pressure and area")

@@ -81,6 +81,9 @@ def _draw_energy(axes: Axes, series: Series) -> None:
     if high - low < _LEAST_SPAN * abs(first):
         half = _LEAST_SPAN * abs(first)
         axes.set_ylim(first - half, first + half)
+    elif np.any(series.potential_energy):
+        # Room for the note above a sum that lies highest.
+        axes.set_ylim(low, high + 0.2 * (high - low))
     change = float(np.max(np.abs(energy - first)))
     if abs(first) > 0.0 and change < _CONSERVED * abs(first):
         text = f"largest relative change {change / abs(first):.1e}"
