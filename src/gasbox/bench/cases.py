@@ -6,13 +6,13 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import NamedTuple
 
-from gasbox.bench.contest import Contender, Result, contest
+from gasbox.bench.contest import OURS, Contender, Result, contest
 from gasbox.bench.gases import EventDrivenGas, PlainEventDrivenGas, PlainSteppedGas, SteppedGas
 from gasbox.bench.observed import observed_gases
 from gasbox.bench.peers import stepped_peers
-from gasbox.bench.scenarios import exact_gas, mixture, stepped_gas
+from gasbox.bench.scenarios import ENCLOSURES, enclosed, exact_gas, mixture, stepped_gas
 from gasbox.dynamics.team import processors
-from gasbox.scenario import Scenario
+from gasbox.scenario import EventDriven, Scenario
 
 __all__ = ["AREA_FRACTIONS", "SIZES", "SIZE_RATIOS", "measure"]
 
@@ -74,10 +74,12 @@ def _scans(sizes: tuple[int, ...]) -> list[_Task]:
 
 
 def _samples(sample: int) -> list[_Task]:
-    """What mixtures cost, and what looking does."""
+    """What mixtures and walls cost, and what looking does."""
     exact, stepped = exact_gas(sample, 0.3), stepped_gas(sample)
     return [
         _Task("event-driven, mixture", "collisions", sample, partial(_mixtures, sample)),
+        _Task("event-driven, enclosed", "collisions", sample, partial(_enclosed, exact)),
+        _Task("stepped, enclosed", "particle steps", sample, partial(_enclosed, stepped)),
         _Task("event-driven, observed", "collisions", sample, partial(_observed, exact)),
         _Task("stepped, observed", "particle steps", sample, partial(_observed, stepped)),
     ]
@@ -101,6 +103,17 @@ def _mixtures(small: int) -> list[Contender]:
     """One size, then mixtures with half of the area each, all at an area fraction of 0.3."""
     mixed = [EventDrivenGas(mixture(small, ratio, 0.3), f"gasbox, sizes 1:{ratio}") for ratio in SIZE_RATIOS]
     return [EventDrivenGas(exact_gas(small, 0.3)), *mixed]
+
+
+def _enclosed(scenario: Scenario) -> list[Contender]:
+    """Between the walls of a rectangle, then of other shapes, under gravity, and with a piston."""
+    gases: list[Contender] = []
+    for what in ENCLOSURES:
+        inside = enclosed(scenario, what)
+        name = OURS if what == ENCLOSURES[0] else f"{OURS}, {what}"
+        exact = isinstance(scenario.dynamics, EventDriven)
+        gases.append(EventDrivenGas(inside, name) if exact else SteppedGas(inside, name=name))
+    return gases
 
 
 def _observed(scenario: Scenario) -> list[Contender]:

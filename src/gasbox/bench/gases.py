@@ -66,8 +66,8 @@ class PlainEventDrivenGas:
 class SteppedGas:
     """Our classroom rule; a portion is a step, the unit is a step of one particle."""
 
-    def __init__(self, scenario: Scenario, threads: int = 1) -> None:
-        self.name = OURS if threads == 1 else f"{OURS}, {threads} threads"
+    def __init__(self, scenario: Scenario, threads: int = 1, name: str | None = None) -> None:
+        self.name = name or (OURS if threads == 1 else f"{OURS}, {threads} threads")
         self._simulation = Simulation(scenario, threads=threads)
 
     def work(self, portions: int) -> float:

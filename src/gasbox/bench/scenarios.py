@@ -7,9 +7,12 @@ from typing import Any
 
 from gasbox.scenario import Scenario, parse
 
-__all__ = ["exact_gas", "mixture", "stepped_gas"]
+__all__ = ["ENCLOSURES", "enclosed", "exact_gas", "mixture", "stepped_gas"]
 
 _SEED = 12
+
+ENCLOSURES = ("rectangle", "100-sided polygon", "circle", "gravity", "piston")
+"""What `enclosed` knows: shapes of one area between walls at rest; a rectangle under gravity; one with a free piston."""
 
 
 def exact_gas(particles: int, area_fraction: float) -> Scenario:
@@ -37,6 +40,38 @@ def stepped_gas(particles: int, area_fraction: float = 0.2, speed: float = 0.1) 
             "frame_interval": round(1 / speed),
         }
     )
+
+
+def enclosed(scenario: Scenario, what: str) -> Scenario:
+    """The gas of a scenario between the walls of one of `ENCLOSURES`, at the same area fraction."""
+    geometry = scenario.geometry()
+    side = math.sqrt(geometry.area)
+    box: dict[str, Any] = {"shape": "rectangle", "width": side, "height": side}
+    data = {**scenario.to_dict(), "container": box}
+    match what:
+        case "100-sided polygon":
+            radius = side / math.sqrt(50 * math.sin(math.pi / 50))
+            data["container"] = {"shape": "regular-polygon", "sides": 100, "radius": radius}
+        case "circle":
+            data["container"] = {"shape": "circle", "radius": side / math.sqrt(math.pi)}
+        case "gravity":
+            # Over the height of the box the density changes by a tenth.
+            data["gravity"] = [0, -0.1 * _temperature(scenario) / side]
+        case "piston":
+            count = scenario.species[0].count
+            pressure = count * _temperature(scenario) / geometry.area
+            motion = {
+                "kind": "piston",
+                "mass": 0.1 * count,
+                "pressure": 2 * pressure,
+                "stops": [0, 0.1 * side],
+            }
+            data["walls"] = {"right": {"motion": motion}}
+    return parse(data)
+
+
+def _temperature(scenario: Scenario) -> float:
+    return scenario.species[0].temperature or 0.0
 
 
 def _discs(name: str, radius: float, count: int) -> dict[str, Any]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box
-from gasbox.kernels.event_driven.flight import place_at, wall_meeting
+from gasbox.kernels.event_driven.flight import place_at, velocity_at, wall_meeting
 from gasbox.kernels.event_driven.look import survey
 from gasbox.kernels.event_driven.queue import insert, remove, rise
 from gasbox.kernels.event_driven.tables import (
@@ -43,6 +43,8 @@ from gasbox.kernels.event_driven.tables import (
 )
 from gasbox.kernels.hall import Hall
 from gasbox.kernels.hall.approach import touch
+from gasbox.kernels.hall.motion import displacement, push, speed
+from gasbox.kernels.hall.tables import KIND, NX, NY, PX, PY, SIDE
 from gasbox.kernels.hall.tables import WALL as OWNER
 
 __all__ = ["meet_moved", "predict", "predict_entered", "release"]
@@ -167,22 +169,46 @@ def _next_wall(
     return _at_elements(tables, box, hall, i, now, all_walls)
 
 
+@inlined_kernel
+def _line(hall: Hall, wall: int, now: float) -> tuple[float, float, float]:
+    """Normal of a wall that moves, and where its line is along it."""
+    for e in hall.moving:
+        if hall.kind[e, OWNER] == wall and hall.kind[e, KIND] == SIDE:
+            nx, ny = hall.shape[e, NX], hall.shape[e, NY]
+            at = hall.shape[e, PX] * nx + hall.shape[e, PY] * ny
+            return nx, ny, at + displacement(hall, wall, now)
+    return 0.0, 0.0, 0.0
+
+
 @bare_kernel
 def meet_moved(tables: Tables, hall: Hall, box: Box, wall: int, but: int, now: float) -> None:
-    """A wall has changed its motion: all particles except `but` look for it anew."""
+    """A wall has changed its motion: all particles except `but` look for it anew.
+
+    Most need not: those that cannot reach its line before their next event, whatever they do.
+    """
     flight, link = tables.flight, tables.link
+    nx, ny, line = _line(hall, wall, now)
+    rate, pull = speed(hall, wall, now), push(hall, wall, now)
+    curve = 0.5 * abs(hall.gx * nx + hall.gy * ny - pull)
     for i in range(flight.shape[0]):
         if i == but or link[i, SPECIES] < 0:
             continue
         partner = link[i, PARTNER]
-        if partner <= WALL and hall.kind[(WALL - partner) // 2, OWNER] == wall:
-            remove(flight, link, tables.ring, tables.heap, tables.counter, i)
-            flight[i, T_EVENT] = math.inf
-            link[i, PARTNER] = NOBODY
-            predict(tables, box, hall, i, now)
-            continue
-        time, who = at_moving_walls(tables, hall, i, wall, flight[i, T_EVENT], partner)
-        if who != partner:
+        held = partner <= WALL and hall.kind[(WALL - partner) // 2, OWNER] == wall
+        if flight[i, T_EVENT] < math.inf:
+            elapsed, ahead = now - flight[i, T0], flight[i, T_EVENT] - now
+            x, y = place_at(flight, hall, i, elapsed)
+            vx, vy = velocity_at(flight, hall, i, elapsed)
+            way = (abs(vx * nx + vy * ny - rate) + curve * ahead) * ahead
+            if abs(x * nx + y * ny - line) - flight[i, RADIUS] > way * 1.000001:
+                if held:
+                    release(tables, i)
+                continue
+        time, who = at_moving_walls(tables, hall, i, wall, flight[i, T_EVENT], NOBODY if held else partner)
+        if held and who == NOBODY:
+            # Whatever else it may meet comes no sooner than the meeting that falls away.
+            release(tables, i)
+        elif who != partner or held:
             if partner >= 0:
                 release(tables, partner)
             remove(flight, link, tables.ring, tables.heap, tables.counter, i)
