@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 import shapely
 from numpy.typing import NDArray
+from shapely import affinity
 from shapely.geometry.base import BaseGeometry
 
 from gasbox.geometry.border import border_lengths
@@ -22,6 +23,7 @@ from gasbox.geometry.solids import (
     blocks,
     box,
     disc,
+    images,
     outline,
     reach,
     shape_of,
@@ -75,6 +77,7 @@ def area(enclosure: Surroundings) -> float:
         if not isinstance(obstacle, Segment)
         and blocks(enclosure.walls[side_count(enclosure.container) + number])
     ]
+    standing = [affinity.translate(shape, dx, dy) for dx, dy in images(enclosure) for shape in standing]
     covered = shapely.intersection(shapely.union_all(standing), whole).area if standing else 0.0
     return float(whole.area - covered)
 

@@ -100,7 +100,8 @@ def crowding_problems(parts: Parts) -> Iterator[Problem]:
     """A motion by which walls meet, a segment leaves the container, or discs that are shut in get no room."""
     geometry = surroundings(parts)
     if not isinstance(geometry, Enclosure):
-        return
+        # A schedule moves the sides of a plain rectangle, too.
+        geometry = Enclosure(geometry, walls=tuple(map(Wall, geometry.wall_names)))
     schedule = [entry for entry in parts.schedule if entry is not None]
     if not geometry.moves and not any(entry.wall for entry in schedule):
         return

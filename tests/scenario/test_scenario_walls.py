@@ -1,0 +1,102 @@
+"""Rules on containers, obstacles, walls, motions and schedules: what is refused, and where it says so."""
+
+import pytest
+
+from gasbox.errors import ScenarioError
+from gasbox.scenario import parse
+
+pytestmark = pytest.mark.small
+
+BOX = {"width": 40, "height": 20}
+GAS = {"name": "a", "count": 20, "temperature": 1}
+DIVIDER = {"shape": "segment", "start": [20, 0], "end": [20, 20], "name": "divider"}
+CONSTANT = {"kind": "constant", "speed": 0.1}
+
+
+def problems(**sections):
+    with pytest.raises(ScenarioError) as caught:
+        parse({"container": BOX, "species": [GAS], **sections})
+    return {problem.path: problem for problem in caught.value.problems}
+
+
+def polygon(*vertices):
+    return {"shape": "polygon", "vertices": [list(corner) for corner in vertices]}
+
+
+def path(*points):
+    return {"left": {"motion": {"kind": "path", "points": [list(point) for point in points]}}}
+
+
+def moving(**motion):
+    return {"left": {"motion": motion}}
+
+
+@pytest.mark.parametrize(
+    ("sections", "place"),
+    [
+        ({"container": polygon((0, 0), (20, 20), (20, 0), (0, 20))}, "container.vertices"),
+        ({"container": polygon((0, 0), (20, 0), (20, 0), (0, 20))}, "container.vertices[2]"),
+        ({"container": polygon((-5, 0), (20, 0), (20, 20))}, "container.vertices"),
+        ({"obstacles": [{**DIVIDER, "end": [20, 21]}]}, "obstacles[0]"),
+        ({"obstacles": [{**DIVIDER, "end": [20, 0]}]}, "obstacles[0].end"),
+        ({"obstacles": [polygon((1, 1), (3, 3), (3, 1), (1, 3))]}, "obstacles[0].vertices"),
+        ({"walls": {"lefft": {}}}, "walls.lefft"),
+        ({"container": {**BOX, "periodic": ["x"]}, "walls": {"left": {}}}, "walls.left"),
+        ({"obstacles": [DIVIDER, DIVIDER]}, "obstacles[1].name"),
+        ({"obstacles": [{**DIVIDER, "passes": ["b"]}]}, "obstacles[0].passes.species"),
+        ({"walls": {"left": {"passes": "all"}}}, "walls.left.passes"),
+        (
+            {"obstacles": [{**DIVIDER, "passes": {"least_speed": 2, "greatest_speed": 1}}]},
+            "obstacles[0].passes.least_speed",
+        ),
+        ({"walls": {"left": {"open": True, "temperature": 1}}}, "walls.left"),
+        (
+            {"obstacles": [{"shape": "disc", "center": [9, 9], "radius": 1, "motion": CONSTANT}]},
+            "obstacles[0].motion",
+        ),
+        ({"container": {"shape": "circle", "radius": 20}, "walls": {"rim": {"motion": CONSTANT}}}, "walls.rim.motion"),
+        ({"walls": path((0, 1), (1, 2))}, "walls.left.motion.points[0]"),
+        ({"walls": path((0, 0), (2, 1), (1, 2))}, "walls.left.motion.points[2]"),
+        ({"walls": moving(**CONSTANT, start=3, stop=2)}, "walls.left.motion.stop"),
+        ({"walls": moving(kind="piston", mass=1, stops=[1, 2])}, "walls.left.motion.stops"),
+        ({"walls": moving(**CONSTANT)}, "walls.left.motion"),
+        ({"obstacles": [{**DIVIDER, "end": [25, 20], "motion": CONSTANT}]}, "obstacles[0].motion"),
+        ({"schedule": [{"at": 1}]}, "schedule[0]"),
+        ({"schedule": [{"at": 1, "wall": "dvider", "present": False}], "obstacles": [DIVIDER]}, "schedule[0].wall"),
+        ({"schedule": [{"at": 1, "wall": "left", "present": False}]}, "schedule[0].present"),
+        ({"schedule": [{"at": 1, "wall": "left", "displacement": 39, "speed": 1}]}, "schedule[0]"),
+        ({"species": [{**GAS, "radius": 6}], "obstacles": [{**DIVIDER, "end": [20, 20]},
+          {**DIVIDER, "name": "b", "start": [10, 0], "end": [10, 20]},
+          {**DIVIDER, "name": "c", "start": [30, 0], "end": [30, 20]}]}, "species[0].radius"),
+        ({"particles": [{"species": "a", "position": [9, 9]}],
+          "obstacles": [{"shape": "disc", "center": [9, 9], "radius": 1}]}, "particles[0].position"),
+    ],
+)  # fmt: skip
+def test_what_is_refused(sections, place):
+    assert place in problems(**sections)
+
+
+def test_a_side_that_is_misspelt_is_recognised():
+    assert '"left"' in problems(walls={"lefft": {}})["walls.lefft"].allowed
+
+
+def test_crowding_says_when():
+    # 20 discs of radius 1 fill 0.9 of 20 x 3.49: the left wall has come so far at time 365.
+    found = problems(walls=moving(**CONSTANT))["walls.left.motion"].found
+    assert "at time 365.09" in found
+
+
+@pytest.mark.parametrize(
+    "sections",
+    [
+        {"walls": moving(**CONSTANT, stop=100)},
+        {"walls": moving(kind="piston", mass=50, pressure=0.3)},
+        {"obstacles": [{**DIVIDER, "motion": {"kind": "sinusoid", "amplitude": 3, "period": 9}}]},
+        {"obstacles": [{**DIVIDER, "passes": ["a"]}], "gravity": [0, -0.1]},
+        {"schedule": [{"at": 1, "wall": "divider", "present": False}], "obstacles": [DIVIDER]},
+        {"container": {"shape": "circle", "radius": 20}, "dynamics": {"kind": "stepped"}},
+    ],
+)
+def test_what_is_accepted(sections):
+    scenario = parse({"container": BOX, "species": [GAS], **sections})
+    assert parse(scenario.to_dict()) == scenario
