@@ -11,7 +11,7 @@ import shapely
 from numpy.typing import NDArray
 
 from gasbox.errors import Problem
-from gasbox.geometry import Enclosure, Passage, Path, Segment, side_count
+from gasbox.geometry import Enclosure, Passage, Path, Segment, Wall, side_count
 from gasbox.geometry.anchors import anchored, glides
 from gasbox.geometry.region import components
 from gasbox.geometry.solids import outline, shifted
