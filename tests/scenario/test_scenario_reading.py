@@ -156,7 +156,7 @@ def test_files_plain_and_compressed(tmp_path):
 def test_a_missing_file_names_what_is_near():
     with pytest.raises(FileError, match=r'did you mean "three-gases"\?'):
         load("tree-gases")
-    with pytest.raises(FileError, match="shipped: .*brownian"):
+    with pytest.raises(FileError, match=r"shipped: .*brownian"):
         load("nothing/of/the/kind.json")
 
 
