@@ -12,7 +12,7 @@ __all__ = ["ENCLOSURES", "enclosed", "exact_gas", "mixture", "stepped_gas"]
 _SEED = 12
 
 ENCLOSURES = ("rectangle", "100-sided polygon", "circle", "gravity", "piston")
-"""What `enclosed` knows: shapes of one area between walls at rest; a rectangle under gravity; one with a free piston."""
+"""What `enclosed` knows: shapes of one area with walls at rest; a rectangle under gravity; one with a free piston."""
 
 
 def exact_gas(particles: int, area_fraction: float) -> Scenario:
