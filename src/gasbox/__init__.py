@@ -15,7 +15,8 @@ from gasbox.errors import DynamicsError, FileError, GasboxError, ScenarioError, 
 from gasbox.version import __version__
 
 if TYPE_CHECKING:
-    from gasbox.scenario import Scenario, load, shipped
+    from gasbox.scenario import Scenario
+    from gasbox.scenario.reading import load, shipped
     from gasbox.simulation import Simulation, run
 
 __all__ = [

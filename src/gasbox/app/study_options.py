@@ -61,7 +61,7 @@ def layout(picture: Picture, description: str) -> dict[str, Any]:
             "bottom": 42 if picture.x.name else 24,
         },
         "xAxis": {**plain_axis(picture.x.name, 26), "splitLine": {"show": False}},
-        "yAxis": {**plain_axis(_upright(picture.y.name), 42), "axisLine": {"show": False}},
+        "yAxis": {**plain_axis(_upright(picture.y.name), 40), "axisLine": {"show": False}},
         "legend": {
             "show": legend,
             "data": [{"name": trace.name, "icon": _ICON[trace.kind]} for trace in picture.traces],
@@ -90,6 +90,7 @@ def layout(picture: Picture, description: str) -> dict[str, Any]:
     }
     if bars:
         shape["xAxis"] |= {"type": "category", "axisTick": {"show": False}}
+    shape["yAxis"]["nameTextStyle"] = {**INK_TEXT, "lineHeight": 13}
     said = filled(picture)
     shape["xAxis"] |= said["xAxis"]
     shape["yAxis"] |= said["yAxis"]

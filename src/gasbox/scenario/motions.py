@@ -12,7 +12,7 @@ from typing import Annotated, Final, Literal
 from pydantic import ConfigDict, Field
 from pydantic.config import JsonDict
 
-from gasbox import geometry
+from gasbox.geometry import Path, Piston, Sinusoid
 from gasbox.scenario.values import Finite, NotNegative, Positive, Section, Vector
 
 __all__ = ["ConstantMotion", "Motion", "PathMotion", "PistonMotion", "SinusoidMotion"]
@@ -34,12 +34,12 @@ class ConstantMotion(Section):
     stop: Positive | None = None
     """When it comes to rest [time]; without it, never."""
 
-    def motion(self) -> geometry.Path:
+    def motion(self) -> Path:
         """As engines take it."""
         if self.stop is None:
-            return geometry.Path((self.start,), (0.0,), (self.speed,))
+            return Path((self.start,), (0.0,), (self.speed,))
         way = self.speed * (self.stop - self.start)
-        return geometry.Path((self.start, self.stop), (0.0, way), (self.speed, 0.0))
+        return Path((self.start, self.stop), (0.0, way), (self.speed, 0.0))
 
 
 class PathMotion(Section):
@@ -52,11 +52,11 @@ class PathMotion(Section):
     points: Annotated[tuple[Vector, ...], Field(min_length=1, max_length=10_000)]
     """[time, displacement], in ascending order of time [time, length]; the first displacement is 0."""
 
-    def motion(self) -> geometry.Path:
+    def motion(self) -> Path:
         """As engines take it."""
         times, places = (tuple(column) for column in zip(*self.points, strict=True))
         speeds = [(places[k + 1] - places[k]) / (times[k + 1] - times[k]) for k in range(len(times) - 1)]
-        return geometry.Path(times, places, (*speeds, 0.0))
+        return Path(times, places, (*speeds, 0.0))
 
 
 class SinusoidMotion(Section):
@@ -73,9 +73,9 @@ class SinusoidMotion(Section):
     phase: Finite = 0.0
     """[radian]."""
 
-    def motion(self) -> geometry.Sinusoid:
+    def motion(self) -> Sinusoid:
         """As engines take it."""
-        return geometry.Sinusoid(self.amplitude, self.period, self.phase)
+        return Sinusoid(self.amplitude, self.period, self.phase)
 
 
 class PistonMotion(Section):
@@ -96,10 +96,10 @@ class PistonMotion(Section):
     """Least and greatest displacement, where it bounces elastically [length]; without them, only the container's
     other walls stop it."""
 
-    def motion(self) -> geometry.Piston:
+    def motion(self) -> Piston:
         """As engines take it."""
         lower, upper = self.stops if self.stops is not None else (-math.inf, math.inf)
-        return geometry.Piston(self.mass, self.pressure, self.speed, lower, upper)
+        return Piston(self.mass, self.pressure, self.speed, lower, upper)
 
 
 Motion = Annotated[ConstantMotion | PathMotion | SinusoidMotion | PistonMotion, Field(discriminator="kind")]

@@ -7,7 +7,7 @@ from typing import Annotated, Final, Literal
 from pydantic import ConfigDict, Field
 from pydantic.config import JsonDict
 
-from gasbox import geometry
+from gasbox.geometry import Block, Post, Segment, signed_area
 from gasbox.scenario.container import Vertices
 from gasbox.scenario.values import Positive, Vector
 from gasbox.scenario.walls import Surface
@@ -36,9 +36,9 @@ class SegmentObstacle(_Named):
     end: Vector
     """The other end [length]."""
 
-    def geometry(self) -> geometry.Segment:
+    def geometry(self) -> Segment:
         """As engines take it."""
-        return geometry.Segment(self.start, self.end)
+        return Segment(self.start, self.end)
 
 
 class BlockObstacle(_Named):
@@ -49,10 +49,10 @@ class BlockObstacle(_Named):
     vertices: Vertices
     """Corners in order, either way round [length]."""
 
-    def geometry(self) -> geometry.Block:
+    def geometry(self) -> Block:
         """As engines take it."""
-        turned = geometry.signed_area(self.vertices) < 0
-        return geometry.Block(self.vertices[::-1] if turned else self.vertices)
+        turned = signed_area(self.vertices) < 0
+        return Block(self.vertices[::-1] if turned else self.vertices)
 
 
 class PostObstacle(_Named):
@@ -65,9 +65,9 @@ class PostObstacle(_Named):
     radius: Positive
     """[length]."""
 
-    def geometry(self) -> geometry.Post:
+    def geometry(self) -> Post:
         """As engines take it."""
-        return geometry.Post(self.center, self.radius)
+        return Post(self.center, self.radius)
 
 
 STANDING: Final[dict[str, type[SegmentObstacle] | type[BlockObstacle] | type[PostObstacle]]] = {

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
-from gasbox import geometry
+from gasbox.geometry import Passage, Wall
 from gasbox.scenario.motions import Motion
 from gasbox.scenario.values import NotNegative, Positive, Section
 
@@ -28,11 +28,11 @@ class Passes(Section):
     greatest_speed: Positive | None = None
     """Faster discs bounce [length/time]."""
 
-    def passage(self, names: Sequence[str]) -> geometry.Passage:
+    def passage(self, names: Sequence[str]) -> Passage:
         """As engines take it; `names` of all species."""
         members = None if self.species is None else tuple(names.index(name) for name in self.species)
         fastest = math.inf if self.greatest_speed is None else self.greatest_speed
-        return geometry.Passage(members, self.direction, self.least_speed, fastest)
+        return Passage(members, self.direction, self.least_speed, fastest)
 
 
 def _written_out(value: Any) -> Any:
@@ -54,9 +54,9 @@ class Surface(Section):
     motion: Annotated[Motion | None, Field()] = None
     """How it moves; only sides of a rectangle and segments can."""
 
-    def wall(self, name: str, names: Sequence[str], present: bool = True) -> geometry.Wall:
+    def wall(self, name: str, names: Sequence[str], present: bool = True) -> Wall:
         """As engines take it; `names` of all species."""
-        return geometry.Wall(
+        return Wall(
             name,
             self.temperature,
             self.open,
