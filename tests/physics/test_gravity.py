@@ -1,15 +1,13 @@
-"""A gas under gravity against the barometric law, and a gas that rotates."""
+"""A gas under gravity against the barometric law."""
 
 from __future__ import annotations
-
-import math
 
 import numpy as np
 import pytest
 from vessels import agrees, gas, kinetic_energy, run, vessel
 
 from gasbox.dynamics import Stepped
-from gasbox.geometry import Circle, Rectangle
+from gasbox.geometry import Rectangle
 from gasbox.state import Contacts, Tallies
 from gasbox.theory import gravity, sediment
 
@@ -18,7 +16,7 @@ RADIUS = 0.05
 
 
 def atmosphere(place, counts, masses, seed=1, radius=RADIUS):
-    """Already with the density of the barometric law at T = 1, and the energy that goes with it."""
+    """Spread evenly at first: what they lose in height makes them warmer."""
     return gas(place, counts, [radius] * len(counts), masses, seed=seed)
 
 
@@ -41,7 +39,7 @@ def test_each_gas_has_its_own_atmosphere():
     at.advance(1500.0)
     room = HEIGHT - 2 * RADIUS
     ratios = []
-    for heights, energies in samples(at, 12, 40, 15.0):
+    for heights, energies in samples(at, 20, 24, 15.0):
         temperature = energies.mean()
         row = []
         for k, mass in enumerate(masses):
@@ -58,7 +56,7 @@ def test_density_follows_the_barometric_law():
     at.advance(1500.0)
     edges = np.linspace(0.0, HEIGHT - 2 * RADIUS, 9)
     parts = []
-    for heights, energies in samples(at, 12, 40, 15.0):
+    for heights, energies in samples(at, 20, 24, 15.0):
         scale = gravity.scale_height(1.0, energies.mean(), G)
         expected = gravity.expected_height_counts(edges, 400, scale, edges[-1])
         parts.append(np.histogram(heights - RADIUS, edges)[0] / len(heights) / expected)
@@ -70,7 +68,7 @@ def test_temperature_is_the_same_at_all_heights():
     at = run(place, atmosphere(place, [300], [1.0]))
     at.advance(1500.0)
     ratios = []
-    for heights, energies in samples(at, 12, 40, 15.0):
+    for heights, energies in samples(at, 24, 40, 15.0):
         layers = np.clip((heights / 10.0).astype(int), 0, 3)
         ratios.append([energies[layers == k].mean() / energies.mean() for k in range(4)])
     agrees(ratios, 1.0, bias=2e-3, least=0.02)
@@ -129,34 +127,3 @@ def test_the_stepped_rule_has_the_same_atmosphere():
         gravity.scale_height(1.0, float(np.mean(energies)), G), HEIGHT - 2 * RADIUS
     )
     agrees(np.array(heights) / expected, 1.0, bias=0.02)
-
-
-def test_a_gas_with_angular_momentum_rotates_like_a_body():
-    # n(r) ~ exp(m Omega² r²/2T): <r²> = R²/(1 - exp(-a R²)) - 1/a with a = m Omega²/2T.
-    radius, count = 12.0, 300
-    place = vessel(Circle(radius))
-    state = gas(place, [count], [0.1])
-    arm = state.position - radius
-    state.velocity += 0.12 * np.stack([-arm[:, 1], arm[:, 0]], axis=1)
-    at = run(place, state)
-    at.advance(500.0)
-    spin = float(np.sum(_cross(at.state.position - radius, at.state.velocity)))
-    ratios = []
-    for _ in range(12):
-        squares = []
-        for _ in range(20):
-            at.advance(10.0)
-            squares.append(np.mean(np.sum((at.state.position - radius) ** 2, axis=1)))
-        inertia = count * float(np.mean(squares))
-        temperature = (kinetic_energy(at.state) - 0.5 * spin**2 / inertia) / (count - 0.5)
-        a = 0.5 * (spin / inertia) ** 2 / temperature
-        room = (radius - 0.1) ** 2
-        ratios.append(np.mean(squares) / (room / -math.expm1(-a * room) - 1 / a))
-    assert a * room > 0.5  # pressed outwards, visibly
-    agrees(ratios, 1.0, bias=3e-3, least=0.01)
-    after = float(np.sum(_cross(at.state.position - radius, at.state.velocity)))
-    assert after == pytest.approx(spin, rel=1e-12)
-
-
-def _cross(arm, velocity):
-    return arm[:, 0] * velocity[:, 1] - arm[:, 1] * velocity[:, 0]
