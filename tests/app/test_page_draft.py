@@ -99,7 +99,7 @@ def surrounded(**changes: object) -> Scenario:
 def test_surroundings_are_kept(container: dict[str, object]) -> None:
     scenario = surrounded(
         container=container,
-        gravity=[0.5, -0.25],
+        gravity=[0.0, -0.25],
         obstacles=[{"shape": "segment", "start": [15, 10], "end": [15, 20], "name": "divider"}],
         schedule=[{"at": 3.0, "wall": "divider", "present": False}],
     )

@@ -1,0 +1,42 @@
+"""Scenarios with surroundings of every kind, and samples of them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from free_flight import FreeFlight, gas
+
+from gasbox.app.sample import Sample
+from gasbox.scenario import Scenario
+
+BOX = {"shape": "rectangle", "width": 60, "height": 40}
+DIVIDER = {"shape": "segment", "start": [30, 0], "end": [30, 40], "name": "divider"}
+
+
+def walled(counts: tuple[int, ...] = (30, 20), **settings: Any) -> Scenario:
+    """A gas in a box of 60 x 40 with walls."""
+    return gas(counts, **{"container": BOX, **settings})
+
+
+def sample(simulation: FreeFlight, version: int = 1) -> Sample:
+    """As a session would copy it."""
+    return Sample(
+        version=version,
+        scenario=simulation.scenario,
+        geometry=simulation.geometry,
+        time=simulation.time,
+        frame=0,
+        state=simulation.state.copy(),
+        tallies=simulation.dynamics.tallies.copy(),
+        playing=True,
+        shown_fps=0.0,
+        keeping_up=True,
+        speed_reached=None,
+    )
+
+
+def placed(simulation: FreeFlight, positions: list[tuple[float, float]]) -> FreeFlight:
+    """The same gas with its discs put to these places."""
+    simulation.state.position = np.array(positions, np.float64)
+    return simulation
