@@ -79,7 +79,7 @@ def pressure_on_a_moving_wall(speed: float) -> float:
 
 
 @pytest.mark.parametrize("speed", [0.5, -0.5])
-def test_work_of_a_fast_piston(speed):
+def test_a_fast_piston_does_more_work(speed):
     # Into points, until those that it has met could have come back: 2.08 times the work of a slow one at u = 0.5,
     # and 0.42 times as it draws back.
     assert pressure_on_a_moving_wall(0.0) == 1.0

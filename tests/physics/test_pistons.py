@@ -82,7 +82,7 @@ def mean_height(count, temperature, force, g) -> float:
     return float((h * weight).sum() / weight.sum())
 
 
-def test_the_gas_carries_the_outside():
+def test_a_piston_comes_to_where_the_pressures_are_equal():
     # Over a long time P = p; exactly, but for the change of the piston's momentum.
     place = vessel(Rectangle(20, 30), top={"motion": Piston(50.0, 0.3)})
     at = run(place, gas(place, [200], [0.05]))
