@@ -12,7 +12,7 @@ import numpy as np
 from gasbox import dynamics as rules
 from gasbox.errors import Problem, ScenarioError
 from gasbox.geometry import Geometry
-from gasbox.initial import Overlap, populate, separate, worst_overlap
+from gasbox.initial import Overlap, populate, recall_walls, separate, worst_overlap
 from gasbox.jit import mark_compiled
 from gasbox.protocols import Dynamics
 from gasbox.scenario import EventDriven, Scenario, Snapshot, Stepped, parse
@@ -52,6 +52,8 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
     state = populate(scenario)
     warnings: list[str] = []
     memory = _memory(scenario)
+    if scenario.snapshot is not None and memory is None:
+        recall_walls(state, geometry, scenario.snapshot)
     if isinstance(scenario.dynamics, EventDriven) and memory is None:
         _part(state, geometry, scenario, warnings)
     dynamics = _dynamics(scenario, state, geometry, memory, threads)
@@ -105,6 +107,7 @@ def _tallies(snapshot: Snapshot | None, species: int, walls: int) -> Tallies:
 
 def _part(state: State, geometry: Geometry, scenario: Scenario, warnings: list[str]) -> None:
     """See to it that no discs overlap: refuse a start with overlaps, separate those left by the stepped rule."""
+    geometry = geometry.at(state.wall_displacement)
     overlap = worst_overlap(state, geometry)
     if overlap is None:
         return

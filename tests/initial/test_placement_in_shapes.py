@@ -159,3 +159,11 @@ def test_no_place_is_refused_with_the_reason():
     slits = [{"shape": "segment", "start": [x, 0], "end": [x, 30]} for x in range(1, 21)]
     with pytest.raises(ScenarioError, match="area fraction"):
         populate(gas(SQUARE, slits, 0.49, radii=(0.9,)))
+
+
+@pytest.mark.small
+def test_without_the_compiler():
+    scenario = gas({"shape": "circle", "radius": 6}, [{"shape": "disc", "center": [6, 6], "radius": 2}], 0.4)
+    species = [{**scenario.to_dict()["species"][0], "radius": 1, "count": 12}]
+    scenario = parse({**scenario.to_dict(), "species": species})
+    assert distances(scenario, populate(scenario)).min() > -1e-11

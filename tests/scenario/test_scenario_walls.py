@@ -10,6 +10,8 @@ pytestmark = pytest.mark.small
 BOX = {"width": 40, "height": 20}
 GAS = {"name": "a", "count": 20, "temperature": 1}
 DIVIDER = {"shape": "segment", "start": [20, 0], "end": [20, 20], "name": "divider"}
+PERIODIC = {**BOX, "periodic": ["x"]}
+SHELF = {"shape": "segment", "start": [0, 10], "end": [40, 10], "name": "shelf"}
 CONSTANT = {"kind": "constant", "speed": 0.1}
 
 
@@ -61,6 +63,14 @@ def moving(**motion):
         ({"walls": moving(kind="piston", mass=1, stops=[1, 2])}, "walls.left.motion.stops"),
         ({"walls": moving(**CONSTANT)}, "walls.left.motion"),
         ({"obstacles": [{**DIVIDER, "end": [25, 20], "motion": CONSTANT}]}, "obstacles[0].motion"),
+        ({"container": PERIODIC, "gravity": [1, 0]}, "gravity"),
+        ({"container": PERIODIC, "schedule": [{"at": 1, "gravity": [1, 0]}]}, "schedule[0].gravity"),
+        ({"container": PERIODIC, "obstacles": [{**DIVIDER, "motion": CONSTANT}]},
+         "obstacles[0].motion"),
+        ({"container": PERIODIC, "obstacles": [{**SHELF, "start": [5, 10], "motion": CONSTANT}]},
+         "obstacles[0].motion"),
+        ({"container": PERIODIC, "obstacles": [{**SHELF, "start": [5, 10]}],
+          "schedule": [{"at": 1, "wall": "shelf", "displacement": 2}]}, "obstacles[0]"),
         ({"schedule": [{"at": 1}]}, "schedule[0]"),
         ({"schedule": [{"at": 1, "wall": "dvider", "present": False}], "obstacles": [DIVIDER]}, "schedule[0].wall"),
         ({"schedule": [{"at": 1, "wall": "left", "present": False}]}, "schedule[0].present"),
@@ -94,6 +104,11 @@ def test_crowding_says_when():
         {"obstacles": [{**DIVIDER, "motion": {"kind": "sinusoid", "amplitude": 3, "period": 9}}]},
         {"obstacles": [{**DIVIDER, "passes": ["a"]}], "gravity": [0, -0.1]},
         {"schedule": [{"at": 1, "wall": "divider", "present": False}], "obstacles": [DIVIDER]},
+        {
+            "container": PERIODIC,
+            "gravity": [0, -1],
+            "obstacles": [{**SHELF, "motion": {**CONSTANT, "stop": 3}}],
+        },
         {"container": {"shape": "circle", "radius": 20}, "dynamics": {"kind": "stepped"}},
     ],
 )

@@ -2,5 +2,6 @@
 
 from gasbox.initial.overlaps import Overlap, separate, worst_overlap
 from gasbox.initial.populate import populate
+from gasbox.initial.remembered import recall_walls
 
-__all__ = ["Overlap", "populate", "separate", "worst_overlap"]
+__all__ = ["Overlap", "populate", "recall_walls", "separate", "worst_overlap"]

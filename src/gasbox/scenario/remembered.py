@@ -19,6 +19,8 @@ _MOST: Final = 2**62
 """Counts stay below, so that they can go on counting in 64 bits."""
 
 
+_OF_WALL: Final = 8
+"""Numbers by which the motion of a wall is remembered."""
 _SUMS: Final = frozenset({"pair_virial", "wall_impulse", "wall_carried"})
 """What never falls; work and heat go both ways."""
 _LATER: Final = frozenset({"wall_work", "wall_heat", "wall_passed", "wall_carried", "rest_energy"})
@@ -33,7 +35,7 @@ def snapshot_problems(
         yield Problem("particles", "nothing", "a snapshot needs its particles")
         return
     yield from _tallies(snapshot.tallies, species, walls)
-    yield from _memory(snapshot.memory, particles.count)
+    yield from _memory(snapshot.memory, particles.count, walls)
 
 
 def _tallies(tallies: dict[str, Any], species: int, walls: int) -> Iterator[Problem]:
@@ -58,7 +60,7 @@ def _tallies(tallies: dict[str, Any], species: int, walls: int) -> Iterator[Prob
             yield Problem(path, short(found.ravel().tolist()), "must be sums of at least 0")
 
 
-def _memory(memory: dict[str, Any], particles: int) -> Iterator[Problem]:
+def _memory(memory: dict[str, Any], particles: int, walls: int) -> Iterator[Problem]:
     """What each dynamics remembers; which one it was, one name tells."""
     shapes: dict[str, tuple[int, ...]] = {}
     if "epoch" in memory:
@@ -72,6 +74,8 @@ def _memory(memory: dict[str, Any], particles: int) -> Iterator[Problem]:
         }
     if "step" in memory:
         shapes["step"] = ()
+    if "walls" in memory:
+        shapes["walls"] = (walls, _OF_WALL)
     for name, shape in shapes.items():
         path = f"snapshot.memory.{name}"
         if name not in memory:
