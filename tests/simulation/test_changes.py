@@ -147,6 +147,14 @@ def test_a_piston_that_was_held_goes_free_again():
     assert simulation.state.wall_displacement[3] not in (-3.0, 0.0)
 
 
+def test_gravity_needs_a_floor():
+    box = {"shape": "rectangle", "width": 30, "height": 20, "periodic": ["x"]}
+    simulation = Simulation(scenario(container=box))
+    with pytest.raises(UsageError, match="fall for ever"):
+        simulation.apply(SetGravity((0.1, -1.0)))
+    simulation.apply(SetGravity((0.0, -1.0)))
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [

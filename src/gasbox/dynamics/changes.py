@@ -35,6 +35,8 @@ def altered(geometry: Geometry, time: float, change: Change, start: Geometry) ->
     enclosure = as_enclosure(geometry)
     match change:
         case SetGravity(gravity=gravity):
+            if (gravity[0] and enclosure.periodic_x) or (gravity[1] and enclosure.periodic_y):
+                raise UsageError("gravity along a periodic direction: discs would fall for ever")
             return dataclasses.replace(enclosure, gravity=gravity)
         case MoveWall(displacement=target, speed=speed, origin=origin):
             number = _movable(enclosure, change.wall)
