@@ -19,16 +19,20 @@ from enclosures import (
 from gases import collect, state_of
 from stepped_gases import bits, pair_depth, stepped, wall_depth
 
+from gasbox.dynamics import Stepped
 from gasbox.geometry import Block, Circle, Enclosure, Polygon, Post, Rectangle, Segment, regular_polygon
+from gasbox.state import Contacts, Tallies
 
 OPEN = {
-    "leaking": enclosure(BOX, (DIVIDER,), (0.0, -0.2), right={"open": True}, o0={"passes": None}),
-    "drained": enclosure(Circle(8.0), (Segment((6.0, 6.0), (9.0, 8.0)),), o0={"open": True}),
-    "holed": enclosure(Circle(8.0), rim={"open": True}),
+    "leaking": enclosure(BOX, (Segment((8.0, 0.0), (8.0, 9.0)),), right={"open": True}),
+    "draining": enclosure(BOX, gravity=(0.0, -0.2), right={"open": True}),
+    "drain": enclosure(Circle(8.0), (Segment((6.0, 6.0), (9.0, 8.0)),), o0={"open": True}),
+    "no rim": enclosure(Circle(8.0), rim={"open": True}),
 }
 every = pytest.mark.parametrize("place", (ALL | OPEN).values(), ids=(ALL | OPEN).keys())
 at_rest = pytest.mark.parametrize("place", AT_REST.values(), ids=AT_REST.keys())
-active = pytest.mark.parametrize("place", (ACTIVE | OPEN).values(), ids=(ACTIVE | OPEN).keys())
+booked = ACTIVE | {name: place for name, place in OPEN.items() if place.gravity == (0.0, 0.0)}
+active = pytest.mark.parametrize("place", booked.values(), ids=booked.keys())
 
 
 @every
@@ -95,8 +99,6 @@ def test_work_heat_and_what_is_carried_make_up_the_change_of_energy(place):
     tallies = engine.tallies
     booked = tallies.wall_work.sum() + tallies.wall_heat.sum() + tallies.rest_energy[0]
     change = internal_energy(state, place) + tallies.wall_carried.sum() - before
-    if tallies.wall_carried.any() and any(place.gravity):
-        return  # those that left took their potential energy along
     assert change == pytest.approx(booked, abs=1e-10 * abs(before))
 
 
@@ -164,9 +166,6 @@ def test_a_rectangle_as_enclosure_is_the_plain_one():
     other = state.copy()
     plain = stepped(state, enclosure(BOX))
     plain.advance(state, 40.0)
-    from gasbox.dynamics import Stepped
-    from gasbox.state import Contacts, Tallies
-
     rectangle = Stepped(other, BOX, 0.02, Tallies.zero(2, 4), Contacts.empty(0))
     rectangle.advance(other, 40.0)
     assert rectangle.tallies.wall_collisions.sum() > 50
