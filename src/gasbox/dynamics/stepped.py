@@ -63,7 +63,9 @@ class Stepped:
         self._threads = threads
         self._seed = seed
         self._team: Team | None = None
-        self._clock = np.array([int(memory["step"]) if memory else 0], np.int64)
+        # What another dynamics has left goes on at the nearest step.
+        step = int(memory["step"]) if memory else round(state.time / time_step)
+        self._clock = np.array([step], np.int64)
         state.time = self._time
         self._enter(state, geometry, memory.get("walls") if memory else None)
 

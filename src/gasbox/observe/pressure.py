@@ -18,6 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.geometry import Geometry
+from gasbox.geometry.conserved import conserves_rotation
+from gasbox.observe.energy import degrees_of_freedom
 from gasbox.observe.walls import gauge_lengths
 from gasbox.state import Tallies
 
@@ -84,7 +86,8 @@ def virial_pressure(
     The ideal part is N T with T = 2K/f, not K. Between walls the two are the same. Where momentum is
     conserved N T is the larger, and the pressure is then the thermodynamic one, -dF/dA: the free place of the
     centre of mass contributes its T/A although it never moves. For two discs in a periodic box this gives the
-    exact Z = (1/2) [1 + 1/(1 - 2 eta)].
+    exact Z = (1/2) [1 + 1/(1 - 2 eta)]. In a smooth circle the ideal part is K, as the virial theorem has it; a gas
+    that rotates there presses on its wall with more than this.
 
     A is `common_accessible_area`; in a periodic box the whole area.
 
@@ -105,7 +108,10 @@ def virial_pressure(
     area = common_accessible_area(geometry, radii, counts)
     if duration <= 0.0 or temperature is None or area is None:
         return None
-    ideal = float(np.sum(counts)) * temperature
+    count = int(np.sum(counts))
+    ideal = count * temperature
+    if conserves_rotation(geometry):
+        ideal = 0.5 * degrees_of_freedom(count, geometry) * temperature
     return (ideal + float(change.pair_virial[0]) / (2.0 * duration)) / area
 
 
