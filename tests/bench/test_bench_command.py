@@ -26,14 +26,15 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_everything_is_measured(short: None) -> None:
     told: list[str] = []
     parts = list(bench.measure(True, told.append))
-    assert len(told) == len(parts) == 2 * 4 + 3
+    assert len(told) == len(parts) == 2 * 4 + 5
     # Small ones first, so that who interrupts it has seen as much as possible.
-    assert [part[0].particles for part in parts] == [100] * 4 + [200] * 3 + [300] * 4
+    assert [part[0].particles for part in parts] == [100] * 4 + [200] * 5 + [300] * 4
     programs = {part[0].task: [result.program for result in part] for part in parts}
     assert programs["event-driven, 0.3"] == ["gasbox", "plain loops"]
     assert programs["event-driven, mixture"] == ["gasbox", "gasbox, sizes 1:10", "gasbox, sizes 1:50"]
     assert programs["stepped, 0.2"][:2] == ["gasbox", "plain loops"]
     assert len(programs["stepped, observed"]) == 3
+    assert programs["stepped, enclosed"][1] == "gasbox, 100-sided polygon"
     assert all(rate > 0 for part in parts for result in part for rate in result.rates)
 
 

@@ -53,8 +53,8 @@ def run(state, geometry, sort_after: int = 32, looks: int = 0) -> tuple[str, int
     return bits(state, dynamics), collisions(dynamics)
 
 
-@pytest.mark.parametrize("make", [odd_gas, narrow_gas])
-def test_no_tuning_changes_a_bit(make, monkeypatch):
+@pytest.mark.parametrize(("make", "wanted"), [(odd_gas, 1000), (narrow_gas, 500)])
+def test_no_tuning_changes_a_bit(make, wanted, monkeypatch):
     total = 0
     for seed in range(100, 130):
         found = {}
@@ -65,4 +65,4 @@ def test_no_tuning_changes_a_bit(make, monkeypatch):
                 found[name], executed = run(*make(seed), **own)
         assert {name for name in found if found[name] != found["as it is"]} == set()
         total += executed
-    assert total > 1000
+    assert total > wanted

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from gasbox.jit import inlined_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.hall.motion import displacement, speed
 from gasbox.kernels.hall.roots import CLOSE, GRAZING_SPEED, MARCHES, first_fall, safe_step
 from gasbox.kernels.hall.tables import AMPLITUDE, MOTION, NX, NY, OMEGA, WALL, WAVE, Hall
@@ -12,7 +12,7 @@ from gasbox.kernels.hall.tables import AMPLITUDE, MOTION, NX, NY, OMEGA, WALL, W
 __all__ = ["touch_corner", "touch_rim"]
 
 
-@inlined_kernel
+@bare_kernel
 def _near_corner(
     hall: Hall,
     e: int,
@@ -41,7 +41,7 @@ def _near_corner(
     return away - reach, (px * ux + py * uy) / away
 
 
-@inlined_kernel
+@bare_kernel
 def touch_corner(
     hall: Hall,
     e: int,
@@ -104,7 +104,7 @@ def _within_rim(
     return room * room - px * px - py * py, -2.0 * (px * (vx + gx * t) + py * (vy + gy * t))
 
 
-@inlined_kernel
+@bare_kernel
 def touch_rim(
     x: float, y: float, vx: float, vy: float, gx: float, gy: float, room: float, limit: float
 ) -> float:

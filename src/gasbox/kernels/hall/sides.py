@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from gasbox.jit import inlined_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.hall.motion import displacement, speed
 from gasbox.kernels.hall.roots import CLOSE, GRAZING_SPEED, MARCHES, first_fall, safe_step
 from gasbox.kernels.hall.tables import (
@@ -66,7 +66,7 @@ def _foot(
     return hall.shape[e, LOW] <= foot <= hall.shape[e, HIGH]
 
 
-@inlined_kernel
+@bare_kernel
 def _wave_fall(
     hall: Hall,
     e: int,
@@ -158,7 +158,7 @@ def _face_fall(
     return first_fall(c, b, a, depth, least)
 
 
-@inlined_kernel
+@bare_kernel
 def touch_side(
     hall: Hall,
     e: int,
