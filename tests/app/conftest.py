@@ -16,6 +16,7 @@ from chromium import ARGUMENTS
 from gasbox.app.page import Page as LabPage
 from gasbox.app.page import build
 from gasbox.app.session import Session
+from gasbox.build import compile_kernels
 
 Opened = Callable[..., Page]
 
@@ -55,6 +56,8 @@ async def lab() -> AsyncIterator[Lab]:
 
 @pytest.fixture(scope="session")
 def lab_server() -> Iterator[Server]:
+    # On a fresh machine this takes a minute or two, which is no matter of the page.
+    compile_kernels()
     server = Server(max_sessions=100)  # each test leaves one behind, which is kept for a while
     try:
         yield server.wait()
