@@ -150,9 +150,13 @@ class Show:
 
     def _try(self, change: Change | None) -> None:
         """A change from a hand, which nobody waits for: if it cannot be done, it is not."""
-        if change is not None:
+        if change is None:
+            return
+        try:
             with contextlib.suppress(UsageError):
                 self.change(change)
+        except Exception as error:
+            self.fail(error)
 
     def changed(self) -> None:
         """A wish has changed: count time anew, and show it."""
