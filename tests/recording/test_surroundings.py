@@ -125,12 +125,12 @@ def test_what_is_changed_right_after_a_frame_is_no_part_of_it(tmp_path: Path) ->
     with Recorder(tmp_path / "a.h5", SCENARIO) as recorder:
         recorder.write(frame(0, 2))
         recorder.write(
-            frame(3, 2), {}, [(0.0, SetGravity((0.0, -1.0))), (0.6, MoveWall("left", 3.0, 0.5, 0.0))]
+            frame(3, 2), {}, [(0.0, SetGravity((-1.0, 0.0))), (0.6, MoveWall("left", 3.0, 0.5, 0.0))]
         )
     with open_recording(tmp_path / "a.h5") as recording:
         assert isinstance(recording.geometry_at(0), Rectangle)
         later = recording.geometry_at(1)
-    assert later.gravity == (0.0, -1.0)
+    assert later.gravity == (-1.0, 0.0)
     assert later.moves
     assert later.periodic_y
 
