@@ -1,7 +1,4 @@
-"""A slow twin of the stepped rule in an enclosure: all pairs, and every element and image for every disc, in each step.
-
-It shares with the engine only what a wall does to a velocity (`rebound`), and the tables.
-"""
+"""A slow twin of the stepped rule in enclosures: all pairs, elements and images; it shares tables and `rebound`."""
 
 from __future__ import annotations
 
@@ -23,7 +20,7 @@ SIDE, CORNER = 0, 1
 
 
 class SteppedHallTwin(SteppedTwin):
-    """One line of the rule after the other; see `docs/model.md`."""
+    """One line of the rule after the other; see `docs/walls.md`."""
 
     def __init__(self, state, place, time_step, seed):
         super().__init__(state, place, time_step)
@@ -106,7 +103,7 @@ class SteppedHallTwin(SteppedTwin):
                 touching.append((i, j))
         for i, j in touching:
             d = self._difference(i, j)
-            if self.divided(i, j, d):
+            if self.is_across(i) or self.is_across(j) or self.divided(i, j, d):
                 continue
             self._collide(i, j, d)
             away = math.sqrt(d[0] * d[0] + d[1] * d[1])
@@ -115,6 +112,9 @@ class SteppedHallTwin(SteppedTwin):
                 part = depth / away / (s.mass[i] + s.mass[j])
                 s.position[i] += part * s.mass[j] * d
                 s.position[j] -= part * s.mass[i] * d
+
+    def is_across(self, i):
+        return self.first_crossing(i, self.begin[i], self.state.position[i], self.before)[1] is not None
 
     def divided(self, i, j, d):
         kinds = self.state.species[[i, j]]

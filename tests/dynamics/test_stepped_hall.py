@@ -128,7 +128,7 @@ def test_a_smooth_circle_keeps_the_angular_momentum():
         before = angular_momentum(state, (8.0, 8.0))
         engine = stepped(state, place)
         engine.advance(state, 200.0)
-        assert engine.tallies.wall_collisions.sum() > 400
+        assert engine.tallies.wall_collisions.sum() > 400 * min(speed, 100.0)
         scale = (state.mass * np.hypot(*(state.position - 8.0).T) * np.hypot(*state.velocity.T)).sum()
         assert angular_momentum(state, (8.0, 8.0)) == pytest.approx(before, abs=1e-12 * scale)
 
