@@ -121,7 +121,8 @@ SHAPES = {
 def test_pressure_is_the_same_on_all_walls(place):
     """Impulse over time and the length that centres can reach: that of the ideal gas with room for its centres.
 
-    Discs of 0.1: collisions among them add 2 eta = 0.4 %. A wall's error is 1.13/sqrt(hits), dilute.
+    Discs of 0.1: collisions among them add 2 eta = 0.4 %. A wall's error is 1.13/sqrt(hits), dilute; five of them are
+    some five per cent.
     """
     state = fill(place, 60, sizes=(0.1, 0.1), masses=(1.0, 1.0))
     engine = stepped(state, place, time_step=0.01)
