@@ -83,7 +83,7 @@ class Walls(NamedTuple):
     start, place : (walls,) float64, displacement of each wall at the begin and at the end of the step [length]
     before : (n, 2) float64, where the way of this step began; unwrapped, so that it leads straight here [length]
     slot : (n,) int32, slot of each particle
-    near : (n,) int8, 1 for a particle that may have to do with a wall in this step
+    near : (n,) int8, 1 for a particle that may have to do with a wall in this step, 2 if only because it was pushed
     gone : (n,) int8, 1 for a particle that has left the gas
     largest : (levels,) float64, largest radius in each level [length]
     cursor : (4,) int64, how far the walls are in this step: row, part of its visit, the last thing done there; and
