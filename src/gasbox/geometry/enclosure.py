@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import math
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -167,8 +166,3 @@ class Enclosure:
         if isinstance(self.container, Rectangle):
             return self.container.wrap(position)
         return position.copy()
-
-    def lowest(self) -> float:
-        """Least gravitational potential per mass of the box around it [length²/time²]; 0 without gravity."""
-        gx, gy = self.gravity
-        return -(max(gx * self.width, 0.0) + max(gy * self.height, 0.0)) if math.hypot(gx, gy) else 0.0

@@ -28,7 +28,7 @@ class ScheduledChange(Section):
     displacement: Finite | None = None
     """Move the wall there, along its normal from its place at the start [length]."""
     speed: Positive | None = None
-    """Speed of that motion [length/time]."""
+    """Speed of that motion; without it, 1 [length/time]."""
     origin: Finite | None = None
     """Where the wall was when it set out [length]: stands in snapshots and recordings."""
     free: bool | None = None

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from gasbox.geometry import Enclosure, Path, Piston, Sinusoid
+from gasbox.geometry import Enclosure, Path, Sinusoid
 from gasbox.geometry.wall import Motion
 from gasbox.scenario.schedule import ScheduledChange
 
@@ -28,11 +28,6 @@ class Track:
 
     begins: tuple[float, ...]
     motions: tuple[Motion | None, ...]
-
-    @property
-    def is_known(self) -> bool:
-        """Whether no piston is among them, whose way the gas decides."""
-        return not any(isinstance(motion, Piston) for motion in self.motions)
 
     @property
     def moves(self) -> bool:

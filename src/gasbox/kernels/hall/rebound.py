@@ -33,13 +33,13 @@ from gasbox.kernels.hall.tables import (
     WALL,
     Hall,
 )
+from gasbox.rng import Stream
 
 __all__ = ["LEAST_HEIGHT", "normal_at", "rebound", "rest_speed"]
 
 LEAST_HEIGHT = 1e-6
 """A disc that is pressed to a wall rebounds at least so high, in radii: the rule for discs at rest."""
-_STREAM = 3
-"""Number of the stream of random numbers; see `gasbox.rng`."""
+_STREAM = int(Stream.THERMAL_WALLS)
 
 
 @inlined_kernel

@@ -59,13 +59,8 @@ class Hall(NamedTuple):
     result: NDArray[np.float64]
 
 
-def hall(enclosure: Enclosure, species: int, seed: int, soft: frozenset[str] = frozenset()) -> Hall:
-    """The tables of an enclosure, for so many species, with its walls as at time zero and no lists of cells yet.
-
-    Parameters
-    ----------
-    soft : names of walls that were put where discs may stand
-    """
+def hall(enclosure: Enclosure, species: int, seed: int) -> Hall:
+    """The tables of an enclosure, for so many species, with its walls as at time zero and no lists of cells yet."""
     elements = enclosure.elements
     shape = np.zeros((len(elements), 9))
     kind = np.zeros((len(elements), 3), np.int32)
@@ -85,7 +80,7 @@ def hall(enclosure: Enclosure, species: int, seed: int, soft: frozenset[str] = f
     passes = np.zeros((len(walls), species), np.bool_)
     for row, one in enumerate(walls):
         _describe(one, wall[row], rule[row], passes[row])
-        rule[row, SOFT] |= one.soft or one.name in soft
+        rule[row, SOFT] |= one.soft
         if one.motion is not None:
             set_motion(wall[row], rule[row], one.motion, 0.0, 0.0)
             _equip_piston(enclosure, row, wall[row])
