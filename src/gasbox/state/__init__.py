@@ -1,6 +1,15 @@
 """What the gas is at one moment, and what happened to it."""
 
-from gasbox.state.change import Change, MoveWall, SetGravity, SetWall
+from gasbox.state.change import (
+    Change,
+    Control,
+    MoveWall,
+    SetBarostat,
+    SetGravity,
+    SetHeating,
+    SetThermostat,
+    SetWall,
+)
 from gasbox.state.contacts import ContactKind, Contacts
 from gasbox.state.fields import FIELDS, Field
 from gasbox.state.frame import Frame, Memory
@@ -12,11 +21,15 @@ __all__ = [
     "Change",
     "ContactKind",
     "Contacts",
+    "Control",
     "Field",
     "Frame",
     "Memory",
     "MoveWall",
+    "SetBarostat",
     "SetGravity",
+    "SetHeating",
+    "SetThermostat",
     "SetWall",
     "State",
     "Tallies",

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-__all__ = ["Change", "MoveWall", "SetGravity", "SetWall"]
+__all__ = [
+    "Change",
+    "Control",
+    "MoveWall",
+    "SetBarostat",
+    "SetGravity",
+    "SetHeating",
+    "SetThermostat",
+    "SetWall",
+]
 
 
 @dataclass(frozen=True)
@@ -55,4 +64,47 @@ class MoveWall:
     origin: float | None = None
 
 
-Change = SetGravity | SetWall | MoveWall
+@dataclass(frozen=True)
+class SetThermostat:
+    """The thermostat gets another temperature, or is switched off.
+
+    Attributes
+    ----------
+    temperature : that it aims at in the end [energy]; None switches it off
+    over : time in which the aim goes there, evenly, from where it is [time]
+    """
+
+    temperature: float | None
+    over: float = 0.0
+
+
+@dataclass(frozen=True)
+class SetBarostat:
+    """The barostat gets another pressure, or is switched off.
+
+    Attributes
+    ----------
+    pressure : that it aims at in the end [mass/time²]; None switches it off, and the area stays as it is
+    over : time in which the aim goes there, evenly, from where it is [time]
+    """
+
+    pressure: float | None
+    over: float = 0.0
+
+
+@dataclass(frozen=True)
+class SetHeating:
+    """Heat is added at another rate.
+
+    Attributes
+    ----------
+    power : for each particle [energy/time]; < 0 takes heat away, 0 switches it off
+    """
+
+    power: float
+
+
+Control = SetThermostat | SetBarostat | SetHeating
+"""What acts on a gas with forces as a whole."""
+
+Change = SetGravity | SetWall | MoveWall | Control

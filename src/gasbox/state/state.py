@@ -25,6 +25,8 @@ class State:
     velocity : (n, 2) float64 [length/time]
     wall_displacement : (walls,) float64 [length], of each wall along its normal since the start; empty if none moves
     wall_velocity : (walls,) float64 [length/time], likewise
+    potential : potential energy of all forces between discs, and of soft walls, at this time [energy]; 0 without forces
+    virial : sum over pairs of the force (repulsive > 0) times the distance, at this time [energy]
     """
 
     time: float
@@ -36,6 +38,8 @@ class State:
     velocity: NDArray[np.float64]
     wall_displacement: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     wall_velocity: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    potential: float = 0.0
+    virial: float = 0.0
 
     @property
     def count(self) -> int:
@@ -54,6 +58,8 @@ class State:
             self.velocity.copy(),
             self.wall_displacement.copy(),
             self.wall_velocity.copy(),
+            self.potential,
+            self.virial,
         )
 
     def keep(self, rows: NDArray[np.bool_]) -> None:

@@ -18,7 +18,8 @@ class Tallies:
 
     Attributes
     ----------
-    pair_virial : (1,) float64 [energy], sum over pair collisions of |impulse| times the distance of the centres
+    pair_virial : (1,) float64 [energy·time], sum over pair collisions of |impulse| times the distance of the centres;
+        under forces the time integral of the sum of force times distance
     pair_collisions : (s, s) int64, [a, b] with a <= b counts the collisions of a pair of species
     wall_impulse : (walls, s) float64 [mass·length/time], sum of the normal impulses on a wall (>= 0)
     wall_collisions : (walls, s) int64
@@ -28,6 +29,12 @@ class Tallies:
         of an open wall, those that have left the gas
     wall_carried : (walls, s) float64 [energy], kinetic energy of those that have left
     rest_energy : (1,) float64 [energy], that the rule for discs at rest has given to the gas
+    kinetic_time : (1,) float64 [energy·time], time integral of the kinetic energy (forced dynamics alone)
+    potential_time : (1,) float64 [energy·time], likewise of the potential energy of all forces between discs
+    area_time : (1,) float64 [length²·time], likewise of the area of a box that a barostat changes
+    thermostat_heat : (1,) float64 [energy], that a thermostat has given to the gas
+    heater_heat : (1,) float64 [energy], that heating at a given power has given to the gas
+    barostat_work : (1,) float64 [energy], that a barostat has given to the gas by changing its area
     """
 
     pair_virial: NDArray[np.float64]
@@ -39,6 +46,12 @@ class Tallies:
     wall_passed: NDArray[np.int64]
     wall_carried: NDArray[np.float64]
     rest_energy: NDArray[np.float64]
+    kinetic_time: NDArray[np.float64]
+    potential_time: NDArray[np.float64]
+    area_time: NDArray[np.float64]
+    thermostat_heat: NDArray[np.float64]
+    heater_heat: NDArray[np.float64]
+    barostat_work: NDArray[np.float64]
 
     @classmethod
     def zero(cls, species: int, walls: int) -> Tallies:
@@ -54,6 +67,12 @@ class Tallies:
             wall_passed=np.zeros((*at_walls, 2), np.int64),
             wall_carried=np.zeros(at_walls),
             rest_energy=np.zeros(1),
+            kinetic_time=np.zeros(1),
+            potential_time=np.zeros(1),
+            area_time=np.zeros(1),
+            thermostat_heat=np.zeros(1),
+            heater_heat=np.zeros(1),
+            barostat_work=np.zeros(1),
         )
 
     def copy(self) -> Tallies:
