@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
@@ -45,8 +45,16 @@ class Rectangle:
         return False
 
     def at(self, displacement: NDArray[np.float64]) -> Rectangle:
-        """The same: its walls are at rest."""
-        return self
+        """The rectangle as large as a barostat has made it; its lower left corner stays at the origin.
+
+        Parameters
+        ----------
+        displacement : (walls,) [length], of each wall since the start, right and up > 0; empty for none
+        """
+        if not np.any(displacement):
+            return self
+        left, right, bottom, top = (float(way) for way in displacement[:4])
+        return replace(self, width=self.width + right - left, height=self.height + top - bottom)
 
     @property
     def area(self) -> float:
