@@ -37,6 +37,7 @@ from gasbox.observe.histograms import (
 )
 from gasbox.observe.indicator import Indicator, IndicatorSeries
 from gasbox.observe.motion import center_of_mass, mean_speed, rms_speed
+from gasbox.observe.neighbours import Neighbours, coordination, hexatic, hexatic_order, neighbours
 from gasbox.observe.pressure import (
     common_accessible_area,
     virial_pressure,
@@ -83,6 +84,7 @@ __all__ = [
     "IndicatorSeries",
     "Line",
     "MeanDisplacement",
+    "Neighbours",
     "Profile",
     "ProfileAverage",
     "Profiles",
@@ -100,11 +102,14 @@ __all__ = [
     "center_of_mass",
     "collision_rates",
     "common_accessible_area",
+    "coordination",
     "degrees_of_freedom",
     "energy_histogram",
     "extent",
     "gauge_lengths",
     "greatest_mixing_entropy",
+    "hexatic",
+    "hexatic_order",
     "histogram",
     "internal_energy",
     "kinetic_energy",
@@ -113,6 +118,7 @@ __all__ = [
     "mixing",
     "mixing_entropy",
     "momentum",
+    "neighbours",
     "passage_rates",
     "potential_energy",
     "rms_speed",
