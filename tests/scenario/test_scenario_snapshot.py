@@ -48,7 +48,7 @@ def test_a_snapshot_that_fits(memory):
         ("memory.position", {**REFERENCES, "position": [[1, 2], [3, 4]]}),
         ("memory.time", {key: value for key, value in REFERENCES.items() if key != "time"}),
         ("tallies.pair_collisions", {**TALLIES, "pair_collisions": [[0.5]]}),
-        ("tallies.pair_virial", {**TALLIES, "pair_virial": [-1]}),
+        ("tallies.wall_impulse", {**TALLIES, "wall_impulse": [[-1]] * 4}),
         ("tallies.wall_impulse", {**TALLIES, "wall_impulse": [[1]]}),
         ("tallies.extra", {**TALLIES, "extra": [1]}),
         ("tallies.pair_virial", {}),

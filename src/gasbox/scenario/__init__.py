@@ -1,5 +1,13 @@
 """What may be asked for: the scenario file, validated."""
 
+from gasbox.scenario.baths import (
+    Barostat,
+    Heating,
+    Langevin,
+    Thermostat,
+    VelocityRescaling,
+    starting_temperature,
+)
 from gasbox.scenario.container import (
     CircleContainer,
     Container,
@@ -8,10 +16,12 @@ from gasbox.scenario.container import (
     RegularPolygonContainer,
 )
 from gasbox.scenario.density import MIXTURE_LIMIT, ONE_SIZE_LIMIT, Crowd, centre_bounds, crowds
-from gasbox.scenario.dynamics import EventDriven, Stepped
+from gasbox.scenario.dynamics import EventDriven, Forced, Stepped
+from gasbox.scenario.forces import Charges, Forces, PairForces
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.json_schema import schema
 from gasbox.scenario.obstacles import BlockObstacle, Obstacle, PostObstacle, SegmentObstacle
+from gasbox.scenario.pair_laws import PairLaw, pair_laws
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.reading import load, parse, shipped
 from gasbox.scenario.scenario import Scenario
@@ -19,18 +29,27 @@ from gasbox.scenario.schedule import ScheduledChange
 from gasbox.scenario.settings import with_settings
 from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Region, Species
+from gasbox.scenario.units import Units
 from gasbox.scenario.walls import WallSettings
 
 __all__ = [
     "MIXTURE_LIMIT",
     "ONE_SIZE_LIMIT",
+    "Barostat",
     "BlockObstacle",
+    "Charges",
     "CircleContainer",
     "Container",
     "Crowd",
     "EventDriven",
+    "Forced",
+    "Forces",
+    "Heating",
     "Histograms",
+    "Langevin",
     "Obstacle",
+    "PairForces",
+    "PairLaw",
     "Particles",
     "PolygonContainer",
     "PostObstacle",
@@ -43,12 +62,17 @@ __all__ = [
     "Snapshot",
     "Species",
     "Stepped",
+    "Thermostat",
+    "Units",
+    "VelocityRescaling",
     "WallSettings",
     "centre_bounds",
     "crowds",
     "load",
+    "pair_laws",
     "parse",
     "schema",
     "shipped",
+    "starting_temperature",
     "with_settings",
 ]

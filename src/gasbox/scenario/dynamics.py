@@ -9,7 +9,7 @@ from pydantic.config import JsonDict
 
 from gasbox.scenario.values import Positive, Section
 
-__all__ = ["Dynamics", "EventDriven", "Stepped"]
+__all__ = ["KINDS", "Dynamics", "EventDriven", "Forced", "Stepped"]
 
 _KIND_REQUIRED: Final[JsonDict] = {"required": ["kind"]}
 """In a file the kind must be said; in Python the class says it."""
@@ -35,4 +35,21 @@ class EventDriven(Section):
     """Rule of motion."""
 
 
-Dynamics = Annotated[Stepped | EventDriven, Field(discriminator="kind")]
+class Forced(Section):
+    """Forces between discs: velocity Verlet, with what the section `forces` says."""
+
+    model_config = ConfigDict(json_schema_extra=_KIND_REQUIRED)
+
+    kind: Literal["forced"] = "forced"
+    """Rule of motion."""
+    time_step: Positive = 0.005
+    """Simulated time of one step [time]."""
+
+
+KINDS: Final[dict[str, type[Stepped] | type[EventDriven] | type[Forced]]] = {
+    "stepped": Stepped,
+    "event-driven": EventDriven,
+    "forced": Forced,
+}
+
+Dynamics = Annotated[Stepped | EventDriven | Forced, Field(discriminator="kind")]

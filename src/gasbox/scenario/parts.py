@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from gasbox.scenario.baths import Barostat, Heating, Thermostat
 from gasbox.scenario.container import Container
-from gasbox.scenario.dynamics import EventDriven, Stepped
+from gasbox.scenario.dynamics import EventDriven, Forced, Stepped
+from gasbox.scenario.forces import Forces
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.obstacles import Obstacle
 from gasbox.scenario.particles import Particles
@@ -21,12 +23,12 @@ __all__ = ["Parts"]
 
 @dataclass(frozen=True)
 class Parts:
-    """The parts of a scenario, None where a part is invalid by itself."""
+    """The parts of a scenario, None where a part is absent or invalid by itself."""
 
     container: Container | None
     species: tuple[Species | None, ...]
     particles: Particles | None
-    dynamics: Stepped | EventDriven | None
+    dynamics: Stepped | EventDriven | Forced | None
     frame_interval: float | None
     histograms: Histograms | None
     snapshot: Snapshot | None
@@ -34,6 +36,10 @@ class Parts:
     obstacles: tuple[Obstacle | None, ...] = ()
     gravity: tuple[float, float] | None = (0.0, 0.0)
     schedule: tuple[ScheduledChange | None, ...] = ()
+    forces: Forces | None = None
+    thermostat: Thermostat | None = None
+    barostat: Barostat | None = None
+    heating: Heating | None = None
 
     @property
     def names(self) -> tuple[str, ...] | None:

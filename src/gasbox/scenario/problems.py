@@ -19,7 +19,8 @@ KnownKeys = Mapping[tuple[str, ...], tuple[str, ...]]
 
 _TAGS: Final = frozenset(
     {
-        *("stepped", "event-driven"),
+        *("stepped", "event-driven", "forced"),
+        *("langevin", "velocity-rescaling", "aim", "off"),
         *("rectangle", "circle", "polygon", "regular-polygon", "segment", "disc"),
         *("constant", "path", "sinusoid", "piston"),
     }
@@ -79,7 +80,7 @@ def translate(error: ErrorDetails, known: KnownKeys) -> Problem:
 
 def _without_tags(location: tuple[int | str, ...]) -> tuple[int | str, ...]:
     """The location without tags: one follows the key of a union, or the index of an entry."""
-    tagged = {"container", "dynamics", "motion"}
+    tagged = {"container", "dynamics", "motion", "thermostat", "barostat"}
     return tuple(
         step
         for place, step in enumerate(location)

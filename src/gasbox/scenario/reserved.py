@@ -9,17 +9,10 @@ from gasbox.scenario.problems import short
 
 __all__ = ["without_reserved"]
 
-KEYS: Final = frozenset({"forces", "thermostat", "molecules", "world", "units"})
-KINDS: Final = frozenset({"forced"})
+KEYS: Final = frozenset({"molecules", "world"})
 
 
 def without_reserved(data: dict[str, Any]) -> tuple[dict[str, Any], list[Problem]]:
     """`data` without what is not available yet, and one problem for each such thing."""
     problems = [Problem(key, short(data[key]), f"{key} is not available yet") for key in data if key in KEYS]
-    rest = {key: value for key, value in data.items() if key not in KEYS}
-    dynamics = rest.get("dynamics")
-    kind = dynamics.get("kind") if isinstance(dynamics, dict) else None
-    if isinstance(kind, str) and kind in KINDS:
-        problems.append(Problem("dynamics.kind", short(kind), f"{kind} is not available yet"))
-        del rest["dynamics"]
-    return rest, problems
+    return {key: value for key, value in data.items() if key not in KEYS}, problems

@@ -12,7 +12,7 @@ from gasbox.errors import Problem
 from gasbox.geometry import Enclosure, Geometry, Rectangle, side_count
 from gasbox.scenario.crowding import crowding_problems, glide_problems
 from gasbox.scenario.density import density_problems
-from gasbox.scenario.dynamics import Stepped
+from gasbox.scenario.dynamics import Forced, Stepped
 from gasbox.scenario.falling import falling_problems
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.problems import near, short
@@ -134,7 +134,7 @@ def _listed_positions(parts: Parts, geometry: Geometry) -> Iterator[Problem]:
 
 
 def _frames(parts: Parts) -> Iterator[Problem]:
-    if not isinstance(parts.dynamics, Stepped) or parts.frame_interval is None:
+    if not isinstance(parts.dynamics, Stepped | Forced) or parts.frame_interval is None:
         return
     step, interval = parts.dynamics.time_step, parts.frame_interval
     steps = round(interval / step)

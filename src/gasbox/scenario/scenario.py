@@ -4,37 +4,39 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
-from typing import Annotated, Any, Final, Literal, TypeVar, cast
+from typing import Annotated, Any, Final, Literal
 
 from pydantic import Field, ModelWrapValidatorHandler, Strict, ValidationError, model_validator
 from pydantic_core import ErrorDetails
 
 from gasbox.errors import Problem, ScenarioError
 from gasbox.geometry import Geometry
+from gasbox.scenario.baths import Barostat, Heating, Thermostat
 from gasbox.scenario.colors import PALETTE
 from gasbox.scenario.columns import read_particles
-from gasbox.scenario.container import SHAPES, Container
-from gasbox.scenario.dynamics import Dynamics, EventDriven, Stepped
+from gasbox.scenario.container import Container
+from gasbox.scenario.dynamics import Dynamics, EventDriven
+from gasbox.scenario.forces import Forces
 from gasbox.scenario.histograms import Histograms
+from gasbox.scenario.known_keys import KNOWN_KEYS, keys_of
 from gasbox.scenario.layout import layout
-from gasbox.scenario.motions import ConstantMotion, PathMotion, PistonMotion, SinusoidMotion
-from gasbox.scenario.obstacles import STANDING, Obstacle
+from gasbox.scenario.obstacles import Obstacle
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.parts import Parts
-from gasbox.scenario.problems import KnownKeys, short, translate
+from gasbox.scenario.problems import short, translate
 from gasbox.scenario.reserved import without_reserved
 from gasbox.scenario.rules import broken_rules
 from gasbox.scenario.schedule import ScheduledChange
 from gasbox.scenario.snapshot import Snapshot
-from gasbox.scenario.species import Region, Species
+from gasbox.scenario.species import Species
 from gasbox.scenario.surroundings import geometry_of
+from gasbox.scenario.units import Units
+from gasbox.scenario.valid_parts import valid_parts
 from gasbox.scenario.values import LARGEST_SPECIES, WHOLE, Positive, Section, Vector
-from gasbox.scenario.walls import Passes, WallSettings
+from gasbox.scenario.walls import WallSettings
 
 __all__ = ["Scenario"]
 
-_Section = TypeVar("_Section", bound=Section)
 _MOST_PROBLEMS: Final = 200
 """A file with more problems than this is told the number of the others."""
 
@@ -72,6 +74,16 @@ class Scenario(Section):
     """Particles listed one by one, in addition to those counted in `species`."""
     dynamics: Dynamics = EventDriven()
     """The rule of motion."""
+    forces: Forces | None = None
+    """Forces between discs, under dynamics `forced`."""
+    thermostat: Thermostat | None = None
+    """What holds the temperature, under dynamics `forced`."""
+    barostat: Barostat | None = None
+    """What holds the pressure, under dynamics `forced` in a periodic box."""
+    heating: Heating | None = None
+    """Heat that is added, under dynamics `forced`."""
+    units: Units | None = None
+    """Real units, shown beside the scenario's own."""
     frame_interval: Positive | None = None
     """Simulated time of one frame [time]; without it, chosen from the gas. At 1x, 60 a second."""
     histograms: Histograms = Histograms()
@@ -95,11 +107,9 @@ class Scenario(Section):
         if data.get("particles") is not None:
             particles, wrong_rows = read_particles(data["particles"])
             data = {**data, "particles": particles}
-        scenario, wrong_fields = _validate(
-            data, handler, absent={problem.path.split(".")[0] for problem in problems}
-        )
+        scenario, wrong_fields = _validate(data, handler)
         problems += wrong_fields + wrong_rows
-        problems += broken_rules(_parts(data, scenario, particles))
+        problems += broken_rules(valid_parts(data, particles) if scenario is None else _parts(scenario))
         if problems or scenario is None:
             raise ScenarioError(_bounded(problems))
         return scenario
@@ -117,7 +127,7 @@ class Scenario(Section):
         values |= {name: part.to_json() for name in large if (part := getattr(self, name)) is not None}
         unsaid = {"walls": {}, "obstacles": [], "gravity": [0.0, 0.0], "schedule": []}
         return {
-            key: values[key] for key in _keys(Scenario) if key in values and values[key] != unsaid.get(key)
+            key: values[key] for key in keys_of(Scenario) if key in values and values[key] != unsaid.get(key)
         }
 
     def to_json(self) -> str:
@@ -144,88 +154,43 @@ def _with_colors(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _validate(
-    data: dict[str, Any], handler: ModelWrapValidatorHandler[Scenario], absent: set[str]
+    data: dict[str, Any], handler: ModelWrapValidatorHandler[Scenario]
 ) -> tuple[Scenario | None, list[Problem]]:
     try:
         return handler(data), []
     except ValidationError as error:
         details = error.errors(include_url=False)
-        return None, [
-            translate(detail, _KNOWN) for detail in details if not _follows(detail, details, absent)
-        ]
+        return None, [translate(detail, _KNOWN) for detail in details if not _follows(detail, details)]
 
 
-def _follows(detail: ErrorDetails, details: list[ErrorDetails], absent: set[str]) -> bool:
+def _follows(detail: ErrorDetails, details: list[ErrorDetails]) -> bool:
     """Whether an error only follows from another one, which says what is really wrong."""
     place = detail["loc"]
-    if detail["type"] == "missing":
-        # A section that was taken out as "not available yet" is not missing as well.
-        return place[0] in absent
     # A list of which no entry is valid counts as empty.
     return detail["type"] == "too_short" and any(
         other["loc"] != place and other["loc"][: len(place)] == place for other in details
     )
 
 
-def _parts(data: dict[str, Any], scenario: Scenario | None, particles: Particles | None) -> Parts:
-    """What is valid by itself, so that the rules between fields can be tried beside other problems."""
-    if scenario is not None:
-        return Parts(
-            scenario.container,
-            scenario.species,
-            particles,
-            scenario.dynamics,
-            scenario.frame_interval,
-            scenario.histograms,
-            scenario.snapshot,
-            scenario.walls,
-            scenario.obstacles,
-            scenario.gravity,
-            scenario.schedule,
-        )
-    dynamics = data.get("dynamics")
-    kind = dynamics.get("kind") if isinstance(dynamics, dict) else None
-    interval = data.get("frame_interval")
+def _parts(scenario: Scenario) -> Parts:
+    """A scenario that is valid as far as its sections go, as rules between fields see it."""
     return Parts(
-        _of_shape(SHAPES, data.get("container"), "rectangle"),
-        tuple(_one(Species, entry) for entry in _list(data.get("species"))),
-        particles,
-        _one(Stepped, dynamics) if kind == "stepped" else None,
-        interval if isinstance(interval, float | int) and 0 < interval < float("inf") else None,
-        _one(Histograms, data.get("histograms", {})),
-        _one(Snapshot, data.get("snapshot")),
-        {str(name): _one(WallSettings, entry) for name, entry in _object(data.get("walls")).items()},
-        tuple(_of_shape(STANDING, entry) for entry in _list(data.get("obstacles"))),
-        _gravity(data.get("gravity", (0.0, 0.0))),
-        tuple(_one(ScheduledChange, entry) for entry in _list(data.get("schedule"))),
+        scenario.container,
+        scenario.species,
+        scenario.particles,
+        scenario.dynamics,
+        scenario.frame_interval,
+        scenario.histograms,
+        scenario.snapshot,
+        scenario.walls,
+        scenario.obstacles,
+        scenario.gravity,
+        scenario.schedule,
+        scenario.forces,
+        scenario.thermostat,
+        scenario.barostat,
+        scenario.heating,
     )
-
-
-def _of_shape(shapes: Mapping[str, type[_Section]], data: Any, usual: str | None = None) -> _Section | None:
-    if type(data) in shapes.values():
-        return cast("_Section", data)
-    shape = data.get("shape", usual) if isinstance(data, dict) else None
-    return _one(shapes[shape], data) if isinstance(shape, str) and shape in shapes else None
-
-
-def _list(data: Any) -> Sequence[Any]:
-    return data if isinstance(data, list | tuple) else ()
-
-
-def _object(data: Any) -> Mapping[Any, Any]:
-    return data if isinstance(data, dict) else {}
-
-
-def _gravity(data: Any) -> tuple[float, float] | None:
-    change = _one(ScheduledChange, {"at": 0, "gravity": data})
-    return None if change is None else change.gravity
-
-
-def _one(section: type[_Section], data: Any) -> _Section | None:
-    try:
-        return section.model_validate(data)
-    except ValidationError:
-        return None
 
 
 def _bounded(problems: list[Problem]) -> list[Problem]:
@@ -235,28 +200,4 @@ def _bounded(problems: list[Problem]) -> list[Problem]:
     )
 
 
-def _keys(section: type[Section]) -> tuple[str, ...]:
-    return tuple(field.alias or name for name, field in section.model_fields.items())
-
-
-_MOTION_KEYS: Final = tuple(
-    dict.fromkeys(
-        key for kind in (ConstantMotion, PathMotion, SinusoidMotion, PistonMotion) for key in _keys(kind)
-    )
-)
-_KNOWN: Final[KnownKeys] = {
-    (): _keys(Scenario),
-    ("container",): tuple(dict.fromkeys(key for shape in SHAPES.values() for key in _keys(shape))),
-    ("walls",): _keys(WallSettings),
-    ("walls", "passes"): _keys(Passes),
-    ("walls", "motion"): _MOTION_KEYS,
-    ("obstacles",): tuple(dict.fromkeys(key for shape in STANDING.values() for key in _keys(shape))),
-    ("obstacles", "passes"): _keys(Passes),
-    ("obstacles", "motion"): _MOTION_KEYS,
-    ("schedule",): _keys(ScheduledChange),
-    ("species",): _keys(Species),
-    ("species", "region"): _keys(Region),
-    ("dynamics",): ("kind", "time_step"),
-    ("histograms",): _keys(Histograms),
-    ("snapshot",): _keys(Snapshot),
-}
+_KNOWN: Final = {(): keys_of(Scenario), **KNOWN_KEYS}

@@ -1,4 +1,4 @@
-"""What changes at a given time: gravity, or a wall."""
+"""What changes at a given time: gravity, a wall, or what holds temperature and pressure or adds heat."""
 
 from __future__ import annotations
 
@@ -6,19 +6,26 @@ from typing import Annotated
 
 from pydantic import Field
 
+from gasbox.scenario.baths import BarostatAim, Heating, NewPressure, NewTemperature, ThermostatAim
 from gasbox.scenario.values import Finite, NotNegative, Positive, Section, Vector
-from gasbox.state import Change, MoveWall, SetGravity, SetWall
+from gasbox.state import Change, MoveWall, SetBarostat, SetGravity, SetHeating, SetThermostat, SetWall
 
 __all__ = ["ScheduledChange"]
 
 
 class ScheduledChange(Section):
-    """One change. It names either `gravity`, or a `wall` and what becomes of it."""
+    """One change: it names `gravity`, `thermostat`, `barostat`, `heating`, or a `wall` and what becomes of it."""
 
     at: NotNegative
     """When [time]."""
     gravity: Vector | None = None
     """New acceleration of all discs [length/time²]."""
+    thermostat: NewTemperature | None = None
+    """Another temperature for the thermostat, or "off"."""
+    barostat: NewPressure | None = None
+    """Another pressure for the barostat, or "off"; then the area stays as it is."""
+    heating: Heating | None = None
+    """Heat is added at another rate."""
     wall: Annotated[str, Field(min_length=1, max_length=60)] | None = None
     """Name of a wall."""
     present: bool | None = None
@@ -38,6 +45,14 @@ class ScheduledChange(Section):
         """The value that the simulation applies."""
         if self.gravity is not None:
             return SetGravity(self.gravity)
+        if self.thermostat is not None:
+            aim = self.thermostat
+            return SetThermostat(None) if aim == "off" else SetThermostat(aim.temperature, aim.over)
+        if self.barostat is not None:
+            goal = self.barostat
+            return SetBarostat(None) if goal == "off" else SetBarostat(goal.pressure, goal.over)
+        if self.heating is not None:
+            return SetHeating(self.heating.power)
         wall = self.wall or ""
         if self.displacement is not None:
             return MoveWall(wall, self.displacement, self.speed or 1.0, self.origin)
@@ -49,6 +64,16 @@ class ScheduledChange(Section):
         match change:
             case SetGravity(gravity=gravity):
                 return cls(at=time, gravity=gravity)
+            case SetThermostat(temperature=None):
+                return cls(at=time, thermostat="off")
+            case SetThermostat(temperature=temperature, over=over):
+                return cls(at=time, thermostat=ThermostatAim(temperature=temperature, over=over))
+            case SetBarostat(pressure=None):
+                return cls(at=time, barostat="off")
+            case SetBarostat(pressure=pressure, over=over):
+                return cls(at=time, barostat=BarostatAim(pressure=pressure, over=over))
+            case SetHeating(power=power):
+                return cls(at=time, heating=Heating(power=power))
             case MoveWall(wall=wall, displacement=displacement, speed=speed, origin=origin):
                 return cls(at=time, wall=wall, displacement=displacement, speed=speed, origin=origin)
             case SetWall(wall=wall, present=present, temperature=temperature, free=free):

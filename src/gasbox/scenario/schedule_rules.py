@@ -16,6 +16,7 @@ from gasbox.scenario.walls import WallSettings
 
 __all__ = ["schedule_problems"]
 
+_NAMED = ("gravity", "thermostat", "barostat", "heating", "wall")
 _OF_WALLS = ("present", "temperature", "displacement", "free")
 
 
@@ -28,16 +29,21 @@ def schedule_problems(parts: Parts) -> Iterator[Problem]:
 
 def _entry(path: str, entry: ScheduledChange, parts: Parts) -> Iterator[Problem]:
     given = [key for key in _OF_WALLS if getattr(entry, key) is not None]
-    if (entry.gravity is None) == (entry.wall is None):
-        found = "neither gravity nor a wall" if entry.gravity is None else "both gravity and a wall"
-        yield Problem(path, found, "each entry names gravity, or a wall and what becomes of it")
-    elif entry.gravity is not None and given:
-        yield Problem(path, f"gravity and {given[0]}", f"{given[0]} needs a wall, in an entry of its own")
+    named = [key for key in _NAMED if getattr(entry, key) is not None]
+    if len(named) != 1:
+        found = {0: "nothing that changes", 2: f"both {' and '.join(named)}"}.get(
+            len(named), ", ".join(named)
+        )
+        yield Problem(
+            path, found, f"each entry names one of {', '.join(_NAMED)}; of a wall, what becomes of it"
+        )
+    elif entry.wall is None and given:
+        yield Problem(path, f"{named[0]} and {given[0]}", f"{given[0]} needs a wall, in an entry of its own")
     if entry.speed is not None and entry.displacement is None:
         yield Problem(f"{path}.speed", f"{entry.speed:g}", "goes with displacement: the speed of that motion")
     if entry.wall is None:
         return
-    if not given and entry.gravity is None:
+    if not given and len(named) == 1:
         yield Problem(path, "a wall alone", f"says one of {', '.join(_OF_WALLS)} of it")
     if entry.displacement is not None and len(given) > 1:
         others = " and ".join(key for key in given if key != "displacement")

@@ -31,6 +31,12 @@ class Species(Section):
     """Mass of one disc [mass]."""
     radius: Positive = 1.0
     """Radius of one disc [length]."""
+    epsilon: NotNegative | None = None
+    """Strength of the force between two of them; without it, 1 [energy]."""
+    sigma: Positive | None = None
+    """Range of the force between two of them; without it, the diameter [length]."""
+    charge: Finite | None = None
+    """Charge of one disc; without it, 0."""
     color: Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")] = PALETTE[0]
     """Colour as `#rrggbb`; without it, the next one of a palette."""
     count: Annotated[int, Strict(), Field(ge=0, le=LARGEST_COUNT), WHOLE] = 0
@@ -43,6 +49,9 @@ class Species(Section):
     """Start with these velocities, one `[vx, vy]` for each of `count` [length/time]."""
     region: Region | None = None
     """Where they are placed; without it, in the whole container."""
+    lattice: Positive | None = None
+    """Place them on a triangular lattice with this distance of neighbours, around the middle of the region or of the
+    container; without it, at random [length]."""
 
     def bounds(self, geometry: Geometry) -> tuple[float, float, float, float]:
         """Left, right, lower and upper end [length] of where the discs are placed."""
