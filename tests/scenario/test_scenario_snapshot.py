@@ -25,10 +25,18 @@ TALLIES = {
     "wall_collisions": [[1]] * 4,
 }
 REFERENCES = {"epoch": 2, "epoch_length": 64.0, "position": [[1, 2]], "velocity": [[0, 1]], "time": [0.5]}
+FORCED = {
+    "forced_step": 20,
+    "position": [[1, 2]],
+    "built": [[1, 2]],
+    "order": [0],
+    "box": [40, 30],
+    "drive": [0.3, 0.0],
+}
 LISTED = [{"species": "gas", "position": [1, 1]}]
 
 
-@pytest.mark.parametrize("memory", [{"step": 7}, REFERENCES, {}])
+@pytest.mark.parametrize("memory", [{"step": 7}, REFERENCES, FORCED, {}])
 def test_a_snapshot_that_fits(memory):
     snapshot = {"version": "1", "time": 0, "memory": memory, "tallies": TALLIES}
     scenario = {"container": BOX, "species": [GAS], "particles": LISTED, "snapshot": snapshot}
@@ -46,6 +54,14 @@ def test_a_snapshot_that_fits(memory):
         ("memory.step", {"step": 0.5}),
         ("memory.epoch_length", {**REFERENCES, "epoch_length": 0}),
         ("memory.position", {**REFERENCES, "position": [[1, 2], [3, 4]]}),
+        ("memory.forced_step", {**FORCED, "forced_step": 0.5}),
+        ("memory.position", {**FORCED, "position": [[1, 2], [3, 4]]}),
+        ("memory.built", {**FORCED, "built": [[1, 2, 3]]}),
+        ("memory.order", {**FORCED, "order": [0, 1]}),
+        ("memory.order", {**FORCED, "order": [0.5]}),
+        ("memory.box", {**FORCED, "box": [40]}),
+        ("memory.drive", {**FORCED, "drive": 3}),
+        ("memory.drive", {key: value for key, value in FORCED.items() if key != "drive"}),
         ("memory.time", {key: value for key, value in REFERENCES.items() if key != "time"}),
         ("tallies.pair_collisions", {**TALLIES, "pair_collisions": [[0.5]]}),
         ("tallies.wall_impulse", {**TALLIES, "wall_impulse": [[-1]] * 4}),

@@ -17,10 +17,10 @@ __all__ = ["snapshot_problems"]
 
 _MOST: Final = 2**62
 """Counts stay below, so that they can go on counting in 64 bits."""
-
-
 _OF_WALL: Final = 8
 """Numbers by which the motion of a wall is remembered."""
+_COUNTS: Final = frozenset({"epoch", "step", "forced_step"})
+"""Whole numbers."""
 _SUMS: Final = frozenset({"wall_impulse", "wall_carried"})
 """What never falls; work and heat go both ways."""
 _LATER: Final = frozenset(
@@ -67,30 +67,36 @@ def _tallies(tallies: dict[str, Any], species: int, walls: int) -> Iterator[Prob
 
 def _memory(memory: dict[str, Any], particles: int, walls: int) -> Iterator[Problem]:
     """What each dynamics remembers; which one it was, one name tells."""
-    shapes: dict[str, tuple[int, ...]] = {}
-    if "epoch" in memory:
-        vectors = (particles, 2)
-        shapes |= {
-            "epoch": (),
-            "epoch_length": (),
-            "position": vectors,
-            "velocity": vectors,
-            "time": (particles,),
-        }
-    if "step" in memory:
-        shapes["step"] = ()
-    if "walls" in memory:
-        shapes["walls"] = (walls, _OF_WALL)
-    for name, shape in shapes.items():
+    for name, shape in _shapes(memory, particles, walls).items():
         path = f"snapshot.memory.{name}"
         if name not in memory:
             yield Problem(path, "nothing", "is required")
             continue
         found = np.asarray(memory[name])
         # Without particles there are no rows to tell the shape from.
-        if found.shape != shape and found.size + particles > 0:
+        if shape is None and found.ndim != 1:
+            yield Problem(path, f"the shape {list(found.shape)}", "must be a list of numbers")
+        elif shape is not None and found.shape != shape and found.size + particles > 0:
             yield Problem(path, f"the shape {list(found.shape)}", f"must have the shape {list(shape)}")
-        elif name in ("epoch", "step") and (found.dtype.kind != "i" or abs(int(found)) > _MOST):
+        elif name in _COUNTS and (found.dtype.kind != "i" or abs(int(found)) > _MOST):
             yield Problem(path, short(memory[name]), "must be a whole number")
+        elif name == "order" and found.size and found.dtype.kind != "i":
+            yield Problem(path, short(found.tolist()), "must be whole numbers")
         elif name == "epoch_length" and not found > 0:
             yield Problem(path, short(memory[name]), "must be greater than 0")
+
+
+def _shapes(memory: dict[str, Any], particles: int, walls: int) -> dict[str, tuple[int, ...] | None]:
+    """The shape of everything that is to be there; None for a list of any length."""
+    shapes: dict[str, tuple[int, ...] | None] = {}
+    vectors, row = (particles, 2), (particles,)
+    if "epoch" in memory:
+        shapes |= {"epoch": (), "epoch_length": (), "position": vectors, "velocity": vectors, "time": row}
+    if "step" in memory:
+        shapes["step"] = ()
+    if "forced_step" in memory:
+        shapes |= {"forced_step": (), "position": vectors, "built": vectors, "order": row, "box": (2,)}
+        shapes["drive"] = None
+    if "walls" in memory:
+        shapes["walls"] = (walls, _OF_WALL)
+    return shapes
