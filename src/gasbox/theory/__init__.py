@@ -3,7 +3,9 @@
 `maxwell` (laws of speed and energy), `hard_disc` and `mixture` (pressure, contact values), `kolafa_rottner`
 and `virial` (numbers behind them), `fluid` (what follows from them), `kinetic` (collision rates, free paths),
 `finite` (few particles), `gravity` and `sediment` (columns of points and of discs), `walls` (hits, thermal
-walls, slits), `adiabat` (work and entropy), `piston` (a gas as a spring), `ranges` (axes).
+walls, slits), `adiabat` (work and entropy), `piston` (a gas as a spring), `ranges` (axes); of discs with forces
+`pair_laws` (energy and force of a pair), `imperfect` (second virial coefficients), `lattice` (crystals at T = 0) and
+`lennard_jones` (where its phases lie).
 """
 
 from gasbox.theory import (
@@ -12,10 +14,14 @@ from gasbox.theory import (
     fluid,
     gravity,
     hard_disc,
+    imperfect,
     kinetic,
     kolafa_rottner,
+    lattice,
+    lennard_jones,
     maxwell,
     mixture,
+    pair_laws,
     piston,
     ranges,
     sediment,
@@ -31,10 +37,14 @@ __all__ = [
     "fluid",
     "gravity",
     "hard_disc",
+    "imperfect",
     "kinetic",
     "kolafa_rottner",
+    "lattice",
+    "lennard_jones",
     "maxwell",
     "mixture",
+    "pair_laws",
     "piston",
     "ranges",
     "sediment",
