@@ -17,15 +17,16 @@ __all__ = ["KnownKeys", "near", "path_of", "short", "translate"]
 KnownKeys = Mapping[tuple[str, ...], tuple[str, ...]]
 """Path without indices -> the keys known there."""
 
-_TAGS: Final = frozenset(
-    {
-        *("stepped", "event-driven", "forced"),
-        *("langevin", "velocity-rescaling", "aim", "off"),
-        *("rectangle", "circle", "polygon", "regular-polygon", "segment", "disc"),
-        *("constant", "path", "sinusoid", "piston"),
-    }
-)
-"""pydantic puts the tag of a union into the location; a person never wrote it there."""
+_UNIONS: Final[Mapping[str, tuple[str, ...]]] = {
+    "dynamics": ("stepped", "event-driven", "forced"),
+    "container": ("rectangle", "circle", "polygon", "regular-polygon"),
+    "obstacles": ("segment", "polygon", "disc"),
+    "motion": ("constant", "path", "sinusoid", "piston"),
+    "thermostat": ("langevin", "velocity-rescaling", "aim", "off"),
+    "barostat": ("aim", "off"),
+}
+"""Key of a union -> its tags. pydantic puts the tag into the location; a person never wrote it there."""
+_TAGS: Final = frozenset(tag for tags in _UNIONS.values() for tag in tags)
 
 
 def short(value: Any, bare: bool = False) -> str:
@@ -72,7 +73,7 @@ def translate(error: ErrorDetails, known: KnownKeys) -> Problem:
         keys = known.get(place[:1] + place[2:] if place[:1] == ("walls",) else place, ())
         return Problem(path, "an unknown key", f"known: {', '.join(keys)}{near(str(location[-1]), keys)}")
     if kind == "union_tag_not_found":
-        return Problem(f"{path}.{_tag(context)}", "nothing", f"must be one of {_expected(context)}")
+        return Problem(f"{path}.{_tag(context)}", "nothing", f"must be one of {_tags_of(location)}")
     if kind == "union_tag_invalid":
         return Problem(f"{path}.{_tag(context)}", short(context.get("tag")), f"must be {_expected(context)}")
     return Problem(path, short(error["input"]), _allowed(kind, context, error["msg"]))
@@ -80,14 +81,13 @@ def translate(error: ErrorDetails, known: KnownKeys) -> Problem:
 
 def _without_tags(location: tuple[int | str, ...]) -> tuple[int | str, ...]:
     """The location without tags: one follows the key of a union, or the index of an entry."""
-    tagged = {"container", "dynamics", "motion", "thermostat", "barostat"}
     return tuple(
         step
         for place, step in enumerate(location)
         if not (
             step in _TAGS
             and place
-            and (location[place - 1] in tagged or isinstance(location[place - 1], int))
+            and (location[place - 1] in _UNIONS or isinstance(location[place - 1], int))
         )
     )
 
@@ -97,7 +97,13 @@ def _tag(context: dict[str, Any]) -> str:
 
 
 def _expected(context: dict[str, Any]) -> str:
-    return str(context.get("expected_tags", "'stepped', 'event-driven'")).replace("'", '"')
+    return str(context.get("expected_tags")).replace("'", '"')
+
+
+def _tags_of(location: tuple[int | str, ...]) -> str:
+    """All tags of a union for which none was given."""
+    key = next(step for step in reversed(location) if isinstance(step, str))
+    return ", ".join(json.dumps(tag) for tag in _UNIONS[key] if tag not in ("aim", "off"))
 
 
 def _allowed(kind: str, context: dict[str, Any], message: str) -> str:

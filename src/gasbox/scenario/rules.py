@@ -14,6 +14,7 @@ from gasbox.scenario.crowding import crowding_problems, glide_problems
 from gasbox.scenario.density import density_problems
 from gasbox.scenario.dynamics import Forced, Stepped
 from gasbox.scenario.falling import falling_problems
+from gasbox.scenario.forced_rules import forced_problems
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.problems import near, short
 from gasbox.scenario.remembered import snapshot_problems
@@ -33,7 +34,17 @@ _SOURCES: Final = ("temperature", "speed", "velocities")
 
 def broken_rules(parts: Parts) -> list[Problem]:
     """All problems between fields."""
-    rules = (_names, _velocities, _total, _listed_names, _frames, _axis, _snapshot, falling_problems)
+    rules = (
+        _names,
+        _velocities,
+        _total,
+        _listed_names,
+        _frames,
+        _axis,
+        _snapshot,
+        falling_problems,
+        forced_problems,
+    )
     problems = [problem for rule in rules for problem in rule(parts)]
     shapes = [*container_problems(parts.container), *obstacle_problems(parts)]
     walls = [*wall_problems(parts), *schedule_problems(parts)]
