@@ -71,6 +71,28 @@ def test_tilting_gravity_is_paid_for():
     assert series.residual.tolist() == [0.0, 0.0]
 
 
+def test_a_gas_with_forces_takes_heat_and_work_from_all_sides():
+    torus = Rectangle(10.0, 20.0, True, True)
+    book = observe.Balance(torus, MASS[:1])
+    tallies = Tallies.zero(1, 4)
+    tallies.thermostat_heat[0] = 50.0  # before this run
+    state = gas([[1.0, 0.0], [-1.0, 0.0]])
+    state.potential = -3.0
+    book.start(state, tallies)
+    tallies.thermostat_heat[0] -= 0.5
+    tallies.heater_heat[0] += 2.0
+    tallies.barostat_work[0] += 0.25
+    later = gas([[1.5, 0.0], [-1.5, 0.0]], time=1.0)
+    later.potential = -2.5
+    book.observe(later, tallies)
+    series = book.series()
+    assert series.potential.tolist() == [-3.0, -2.5]
+    assert series.thermostat.tolist() == [0.0, -0.5]
+    assert series.heater.tolist() == [0.0, 2.0]
+    assert series.barostat.tolist() == [0.0, 0.25]
+    assert series.residual.tolist() == [0.0, 0.0]
+
+
 def test_an_empty_book():
     series = observe.Balance(HEAVY, MASS).series()
     assert series.residual.shape == (0,)

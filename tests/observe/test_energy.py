@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hand_made import gas
+from hand_made import gas, moved
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
@@ -25,6 +25,16 @@ def test_two_particles_of_different_mass():
     # Centre of mass at (1/3, 8/3): 35 - 0.5 (4 + 256)/6 is left in its frame.
     assert observe.temperature(state, TORUS) == pytest.approx(2 * (35.0 - 260.0 / 12) / 2)
     assert observe.temperature(state, CHANNEL) == pytest.approx(2 * (35.0 - 4.0 / 12) / 3)
+
+
+def test_forces_between_discs_have_an_energy_too():
+    state = gas([[3.0, 4.0], [-1.0, 2.0]], mass=[2.0, 4.0])
+    state.potential = -7.5
+    assert observe.potential_energy(state, TORUS) == -7.5
+    assert observe.internal_energy(state, TORUS) == 35.0 - 7.5
+    assert observe.enthalpy(state, TORUS, 0.5) == 27.5 + 0.5 * 200.0
+    # A barostat has made the box larger: 12 x 20.
+    assert observe.enthalpy(moved(state, 0.0, 2.0, 0.0, 0.0), TORUS, 0.5) == 27.5 + 0.5 * 240.0
 
 
 def test_degrees_of_freedom():

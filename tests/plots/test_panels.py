@@ -41,7 +41,8 @@ def line(axes, name):
 
 
 def book(**columns):
-    given = {name: np.zeros(3) for name in ("potential", "work", "heat", "carried", "rest", "changes")}
+    own = ("potential", "work", "heat", "carried", "rest", "changes", "thermostat", "heater", "barostat")
+    given = {name: np.zeros(3) for name in own}
     given |= {"kinetic": np.array([10.0, 12.0, 11.0])} | columns
     return EnergyBalance(time=TIME, wall_work=np.zeros((3, 4)), wall_heat=np.zeros((3, 4)), **given)
 

@@ -13,9 +13,11 @@ from gasbox.observe.collisions import (
     species_mean_free_path,
 )
 from gasbox.observe.contact_log import ContactCounter, ContactLog
+from gasbox.observe.diffusion import Displacements, MeanSquaredDisplacement, diffusion_coefficient
 from gasbox.observe.energy import (
     angular_momentum,
     degrees_of_freedom,
+    enthalpy,
     internal_energy,
     kinetic_energy,
     momentum,
@@ -59,6 +61,7 @@ from gasbox.observe.sides import (
     side_counts,
 )
 from gasbox.observe.strips import Axis, extent, strip_areas
+from gasbox.observe.structure import PairDistribution, RadialDistribution
 from gasbox.observe.walls import (
     MeanDisplacement,
     between,
@@ -76,6 +79,7 @@ __all__ = [
     "CollisionRates",
     "ContactCounter",
     "ContactLog",
+    "Displacements",
     "EnergyBalance",
     "FollowsChanges",
     "Histogram",
@@ -84,10 +88,13 @@ __all__ = [
     "IndicatorSeries",
     "Line",
     "MeanDisplacement",
+    "MeanSquaredDisplacement",
     "Neighbours",
+    "PairDistribution",
     "Profile",
     "ProfileAverage",
     "Profiles",
+    "RadialDistribution",
     "Series",
     "SideSeries",
     "Sides",
@@ -104,7 +111,9 @@ __all__ = [
     "common_accessible_area",
     "coordination",
     "degrees_of_freedom",
+    "diffusion_coefficient",
     "energy_histogram",
+    "enthalpy",
     "extent",
     "gauge_lengths",
     "greatest_mixing_entropy",

@@ -4,6 +4,9 @@ What a gas has, kinetic and potential, changes by the work of moving walls, by t
 carry that leave, by the rule for discs at rest, and by changes from outside such as tilting gravity. Engines tally each
 of these hit by hit, so that the book closes up to rounding.
 
+A gas with forces also takes heat from a thermostat and a heater, and work from a barostat, tallied step by step. There
+the book closes up to the error of the integration, which the time step sets.
+
 Where discs leave in a field of gravity they take their potential energy along too. It is that of the wall: exact for an
 open wall all along which the potential is the same, and the mean over the wall otherwise.
 """
@@ -22,7 +25,10 @@ from gasbox.state import Contacts, State, Tallies
 
 __all__ = ["Balance", "EnergyBalance"]
 
-_COLUMNS: Final = ("kinetic", "potential", "work", "heat", "carried", "rest", "changes")
+_COLUMNS: Final = (
+    *("kinetic", "potential", "work", "heat", "carried", "rest", "changes"),
+    *("thermostat", "heater", "barostat"),
+)
 
 
 @dataclass(frozen=True)
@@ -32,12 +38,14 @@ class EnergyBalance:
     Attributes
     ----------
     time : (frames,) float64 [time]
-    kinetic, potential : (frames,) float64 [energy], what the gas has
+    kinetic, potential : (frames,) float64 [energy], what the gas has; the second in gravity and of forces together
     work : (frames,) float64 [energy], that moving walls gave to the gas
     heat : (frames,) float64 [energy], that thermal walls gave to the gas
     carried : (frames,) float64 [energy], taken along by discs that left
     rest : (frames,) float64 [energy], that the rule for discs at rest gave
     changes : (frames,) float64 [energy], that changes of gravity gave
+    thermostat, heater : (frames,) float64 [energy], heat that they gave to the gas
+    barostat : (frames,) float64 [energy], work that it gave to the gas
     wall_work, wall_heat : (frames, walls) float64 [energy], work and heat of each wall
     """
 
@@ -49,6 +57,9 @@ class EnergyBalance:
     carried: NDArray[np.float64]
     rest: NDArray[np.float64]
     changes: NDArray[np.float64]
+    thermostat: NDArray[np.float64]
+    heater: NDArray[np.float64]
+    barostat: NDArray[np.float64]
     wall_work: NDArray[np.float64]
     wall_heat: NDArray[np.float64]
 
@@ -61,6 +72,7 @@ class EnergyBalance:
     def residual(self) -> NDArray[np.float64]:
         """(frames,) float64 [energy]: change of the internal energy that the book does not explain; rounding."""
         explained = self.work + self.heat - self.carried + self.rest + self.changes
+        explained = explained + self.thermostat + self.heater + self.barostat
         return self.internal - self.internal[:1] - explained
 
 
@@ -118,13 +130,16 @@ class Balance:
                 float(np.sum(change.wall_carried)) + self._left,
                 float(change.rest_energy[0]),
                 self._changes,
+                float(change.thermostat_heat[0]),
+                float(change.heater_heat[0]),
+                float(change.barostat_work[0]),
             )
         )
         self._walls.append((np.sum(change.wall_work, axis=1), np.sum(change.wall_heat, axis=1)))
 
     def series(self) -> EnergyBalance:
         """The book so far."""
-        columns = np.array(self._rows, np.float64).reshape(-1, 7).T
+        columns = np.array(self._rows, np.float64).reshape(-1, len(_COLUMNS)).T
         walls = len(self._geometry.wall_names)
         work, heat = (
             np.array([row[place] for row in self._walls], np.float64).reshape(-1, walls) for place in (0, 1)

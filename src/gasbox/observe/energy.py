@@ -11,7 +11,7 @@ but with L the heat is not quite, since I fluctuates; of N discs by one part in 
 
 Gravity changes none of this: it acts on all discs alike, so velocities at one moment know nothing of it. It adds a
 potential energy -m g·x to each disc. Along a periodic direction there is no potential: gravity drives discs round and
-round there.
+round there. Forces between discs add theirs, which the state holds.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from gasbox.state import State
 __all__ = [
     "angular_momentum",
     "degrees_of_freedom",
+    "enthalpy",
     "internal_energy",
     "kinetic_energy",
     "momentum",
@@ -43,14 +44,29 @@ def kinetic_energy(state: State) -> float:
 
 
 def potential_energy(state: State, geometry: Geometry) -> float:
-    """Energy of all particles in gravity, -sum m g·x [energy]; zero at the origin, negative where they fall to."""
+    """Energy of all particles in gravity, -sum m g·x, and of the forces between them [energy].
+
+    The first is zero at the origin and negative where they fall to, the second zero where all are far apart.
+    """
     pull = np.where(geometry.periodic, 0.0, geometry.gravity)
-    return -float(state.mass @ (state.position @ pull)) if np.any(pull) else 0.0
+    falling = -float(state.mass @ (state.position @ pull)) if np.any(pull) else 0.0
+    return falling + state.potential
 
 
 def internal_energy(state: State, geometry: Geometry) -> float:
     """Kinetic and potential energy of all particles [energy]."""
     return kinetic_energy(state) + potential_energy(state, geometry)
+
+
+def enthalpy(state: State, geometry: Geometry, pressure: float) -> float:
+    """Internal energy and pressure times area [energy]: at constant pressure it changes by the heat that is added.
+
+    Parameters
+    ----------
+    geometry : its walls are displaced here
+    pressure : from outside, that of the barostat [mass/time²]
+    """
+    return internal_energy(state, geometry) + pressure * geometry.at(state.wall_displacement).area
 
 
 def momentum(state: State) -> NDArray[np.float64]:

@@ -1,4 +1,4 @@
-"""Pressure, measured twice: from impulses on the walls, and from the virial of the collisions of pairs.
+"""Pressure, measured twice: from impulses on the walls, and from the virial of the collisions, or forces, of pairs.
 
 Both are force per length and both refer to the region that the *centres* of discs can reach, which ends one
 radius before a wall. In a plain box the two are tied by the virial theorem and agree in the long run. Nothing
@@ -17,7 +17,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.geometry import Geometry
+from gasbox.geometry import Geometry, Rectangle
 from gasbox.geometry.conserved import conserves_rotation
 from gasbox.observe.energy import degrees_of_freedom
 from gasbox.observe.walls import gauge_lengths
@@ -83,6 +83,8 @@ def virial_pressure(
 ) -> float | None:
     """Pressure from the collisions of pairs, (N T + sum |impulse| distance/(2 duration))/A [mass/time²].
 
+    Under forces the sum is the time integral of the sum of force times distance.
+
     The ideal part is N T with T = 2K/f, not K. Between walls the two are the same. Where momentum is
     conserved N T is the larger, and the pressure is then the thermodynamic one, -dF/dA: the free place of the
     centre of mass contributes its T/A although it never moves. For two discs in a periodic box this gives the
@@ -90,6 +92,9 @@ def virial_pressure(
     that rotates there presses on its wall with more than this.
 
     A is `common_accessible_area`; in a periodic box the whole area.
+
+    Under forces K is not conserved, and a barostat changes the area: where the tallies hold their time integrals, T is
+    2/f times the mean kinetic energy (of the gas at rest as a whole: a drift is not taken off), and A the mean area.
 
     Parameters
     ----------
@@ -105,10 +110,13 @@ def virial_pressure(
     Source: B. J. Alder and T. E. Wainwright, J. Chem. Phys. 33, 1439 (1960), doi:10.1063/1.1731425, in two
     dimensions.
     """
-    area = common_accessible_area(geometry, radii, counts)
+    area = _mean_area(change, geometry, radii, counts, duration)
     if duration <= 0.0 or temperature is None or area is None:
         return None
     count = int(np.sum(counts))
+    if change.kinetic_time[0] > 0.0:
+        freedom = degrees_of_freedom(count, geometry)
+        temperature = 2.0 * float(change.kinetic_time[0]) / (duration * freedom)
     ideal = count * temperature
     if conserves_rotation(geometry):
         ideal = 0.5 * degrees_of_freedom(count, geometry) * temperature
@@ -148,6 +156,24 @@ def common_accessible_area(
     if present.size == 0 or np.any(sizes <= 0.0):
         return None
     return float(np.sum(counts[present]) / np.sum(counts[present] / areas))
+
+
+def _mean_area(
+    change: Tallies,
+    geometry: Geometry,
+    radii: NDArray[np.float64],
+    counts: NDArray[np.int64],
+    duration: float,
+) -> float | None:
+    """`common_accessible_area`, in a periodic box the mean over the time where that is tallied."""
+    if (
+        duration > 0.0
+        and change.area_time[0] > 0.0
+        and isinstance(geometry, Rectangle)
+        and not geometry.is_walled
+    ):
+        return float(change.area_time[0]) / duration
+    return common_accessible_area(geometry, radii, counts)
 
 
 def _partial_wall_pressures(

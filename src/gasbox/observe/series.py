@@ -26,7 +26,7 @@ class Series:
     energy, temperature : (frames,) float64 [energy]
     species_temperature : (frames, species) float64 [energy]
     wall_pressure, virial_pressure : (frames,) float64 [mass/time²], over the window of frames before each
-    potential_energy : (frames,) float64 [energy], in gravity; empty if nobody asked for it
+    potential_energy : (frames,) float64 [energy], in gravity and of forces; empty if nobody asked for it
     """
 
     time: NDArray[np.float64]
