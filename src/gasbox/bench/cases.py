@@ -7,7 +7,15 @@ from functools import partial
 from typing import NamedTuple
 
 from gasbox.bench.contest import OURS, Contender, Result, contest
-from gasbox.bench.gases import EventDrivenGas, PlainEventDrivenGas, PlainSteppedGas, SteppedGas
+from gasbox.bench.fluids import fluid_peers
+from gasbox.bench.gases import (
+    EventDrivenGas,
+    ForcedGas,
+    PlainEventDrivenGas,
+    PlainSteppedGas,
+    SteppedGas,
+    melted,
+)
 from gasbox.bench.observed import observed_gases
 from gasbox.bench.peers import stepped_peers
 from gasbox.bench.scenarios import ENCLOSURES, enclosed, exact_gas, mixture, stepped_gas
@@ -26,6 +34,8 @@ _PEERS_UP_TO = 100_000
 """Beyond it, setting up the peers alone would take longer than all the rest."""
 _THREADS_FROM = 10_000
 """Below it, two threads would mostly wait for each other."""
+_FORCED = {1: "forced", 2: "forced, two threads"}
+"""Tasks by the number of threads of ours, or of ranks of LAMMPS."""
 _QUICK_SIZES = SIZES[:2]
 _ROUNDS, _SECONDS = 5, 0.5
 _QUICK_ROUNDS, _QUICK_SECONDS = 3, 0.15
@@ -63,14 +73,21 @@ def measure(
 
 
 def _scans(sizes: tuple[int, ...]) -> list[_Task]:
-    """Both engines, over number and density."""
+    """All engines, over number and density."""
     exact = [
         _Task(f"event-driven, {fraction:g}", "collisions", particles, partial(_exact, particles, fraction))
         for fraction in AREA_FRACTIONS
         for particles in sizes
     ]
     name, unit = f"stepped, {_STEPPED_FRACTION:g}", "particle steps"
-    return exact + [_Task(name, unit, particles, partial(_stepped, particles)) for particles in sizes]
+    stepped = [_Task(name, unit, particles, partial(_stepped, particles)) for particles in sizes]
+    forced = [
+        _Task(_FORCED[threads], unit, particles, partial(_forced, particles, threads))
+        for particles in sizes
+        if particles <= _PEERS_UP_TO
+        for threads in (1, 2)[: processors()]
+    ]
+    return exact + stepped + forced
 
 
 def _samples(sample: int) -> list[_Task]:
@@ -97,6 +114,11 @@ def _stepped(particles: int) -> list[Contender]:
         gases.append(SteppedGas(scenario, threads=2))
     gases.append(PlainSteppedGas(scenario))
     return gases + (stepped_peers(scenario) if particles <= _PEERS_UP_TO else [])
+
+
+def _forced(particles: int, threads: int) -> list[Contender]:
+    scenario = melted(particles)
+    return [ForcedGas(scenario, threads), *fluid_peers(scenario, threads)]
 
 
 def _mixtures(small: int) -> list[Contender]:

@@ -41,10 +41,12 @@ def draw_rates(results: Sequence[Result], caption: str = "") -> Figure:
     ----------
     caption : small print, such as date and machine
     """
-    figure = new_figure(9.6, 4.9)
-    exact, stepped = figure.subplots(1, 2)
+    figure = new_figure(14.4, 4.9)
+    exact, stepped, forced = figure.subplots(1, 3)
     _draw_exact(exact, [result for result in results if result.task.startswith("event-driven")])
-    _draw_stepped(stepped, [result for result in results if result.task.startswith("stepped")])
+    scanned = [result for result in results if result.task.startswith("stepped") and _filled(result.task)]
+    _draw_programs(stepped, scanned, "Stepped")
+    _draw_programs(forced, [result for result in results if result.task.startswith("forced")], "Forced")
     if caption:
         figure.supxlabel(caption, color=QUIET, fontsize=7.5)
     return figure
@@ -69,15 +71,14 @@ def _draw_exact(axes: Axes, results: Sequence[Result]) -> None:
     _label(axes, "Event-driven", "million collisions a second")
 
 
-def _draw_stepped(axes: Axes, results: Sequence[Result]) -> None:
+def _draw_programs(axes: Axes, results: Sequence[Result], title: str) -> None:
     """One colour for each program; ours in ink and thick."""
-    scanned = [result for result in results if _filled(result.task) is not None]
-    programs = sorted(dict.fromkeys(result.program for result in scanned), key=lambda name: OURS not in name)
+    programs = sorted(dict.fromkeys(result.program for result in results), key=lambda name: OURS not in name)
     for index, program in enumerate(programs):
-        line = [result for result in scanned if result.program == program]
+        line = [result for result in results if result.program == program]
         color = INK if program == OURS else _COLORS[(index - 1) % len(_COLORS)]
         _draw_line(axes, line, program, color, _MARKERS[index % len(_MARKERS)], program)
-    _label(axes, "Stepped", "million particle steps a second")
+    _label(axes, title, "million particle steps a second")
 
 
 def _draw_line(

@@ -2,17 +2,33 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from gasbox.bench.contest import OURS, PLAIN
 from gasbox.bench.plain.event_driven import PlainEventDriven
 from gasbox.bench.plain.stepped import PlainStepped
+from gasbox.bench.scenarios import fluid
 from gasbox.initial import populate
-from gasbox.scenario import Scenario, Stepped
+from gasbox.scenario import Forced, Particles, Scenario, Stepped
 from gasbox.simulation import Simulation
+from gasbox.state import State
 
-__all__ = ["EventDrivenGas", "PlainEventDrivenGas", "PlainSteppedGas", "SteppedGas", "collisions", "let_mix"]
+__all__ = [
+    "EventDrivenGas",
+    "ForcedGas",
+    "PlainEventDrivenGas",
+    "PlainSteppedGas",
+    "SteppedGas",
+    "collisions",
+    "let_mix",
+    "melted",
+    "standing",
+]
 
 _PORTION = 10
 """Collisions in a portion of the event-driven gases, more or less."""
+_MELTING = 5.0
+"""Time [time] after which a fluid has forgotten its start: the energy of a disc is steady after 2."""
 
 
 def collisions(simulation: Simulation) -> int:
@@ -91,3 +107,36 @@ class PlainSteppedGas:
         """Steps times particles."""
         self._engine.step(portions)
         return float(portions * self._engine.position.shape[0])
+
+
+@lru_cache(1)
+def melted(particles: int) -> Scenario:
+    """The fluid as it is after a while at its temperature, to go on from without a thermostat, by whoever it is."""
+    simulation = Simulation(fluid(particles, thermostat=True))
+    simulation.advance(until=_MELTING)
+    return standing(fluid(particles), simulation.state)
+
+
+def standing(scenario: Scenario, state: State) -> Scenario:
+    """A scenario of one species with its discs where those of `state` are."""
+    (species,) = scenario.species
+    listed = Particles.of([species.name] * state.count, state.position, state.velocity)
+    emptied = species.model_copy(update={"count": 0})
+    return scenario.model_copy(update={"species": (emptied,), "particles": listed})
+
+
+class ForcedGas:
+    """Our dynamics with forces; a portion is a time step, the unit is a step of one particle."""
+
+    def __init__(self, scenario: Scenario, threads: int = 1) -> None:
+        assert isinstance(scenario.dynamics, Forced)
+        self.name = OURS if threads == 1 else f"{OURS}, {threads} threads"
+        self._simulation = Simulation(scenario, threads=threads)
+        self._time_step = scenario.dynamics.time_step
+        self._steps = 0
+
+    def work(self, portions: int) -> float:
+        """Steps times particles."""
+        self._steps += portions
+        self._simulation.advance(until=self._steps * self._time_step)
+        return float(portions * self._simulation.state.count)

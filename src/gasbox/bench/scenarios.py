@@ -7,7 +7,7 @@ from typing import Any
 
 from gasbox.scenario import Scenario, parse
 
-__all__ = ["ENCLOSURES", "enclosed", "exact_gas", "mixture", "stepped_gas"]
+__all__ = ["ENCLOSURES", "enclosed", "exact_gas", "fluid", "mixture", "stepped_gas"]
 
 _SEED = 12
 
@@ -38,6 +38,26 @@ def stepped_gas(particles: int, area_fraction: float = 0.2, speed: float = 0.1) 
             "species": [{"name": "discs", "radius": 1, "count": particles, "temperature": speed**2 / 2}],
             "dynamics": {"kind": "stepped", "time_step": 1},
             "frame_interval": round(1 / speed),
+        }
+    )
+
+
+def fluid(particles: int, thermostat: bool = False) -> Scenario:
+    """Lennard-Jones at density 0.7 and temperature 1 in a periodic square, cut off at 2.5, in units of the law.
+
+    With a thermostat it is there to be melted (`gasbox.bench.gases.melted`), without to be measured.
+    """
+    side = math.sqrt(particles / 0.7)
+    bath: dict[str, Any] = {"thermostat": {"kind": "velocity-rescaling", "temperature": 1, "time": 0.2}}
+    return parse(
+        {
+            "seed": _SEED,
+            "container": {"shape": "rectangle", "width": side, "height": side, "periodic": ["x", "y"]},
+            "species": [{"name": "atoms", "radius": 0.5, "count": particles, "temperature": 1}],
+            "dynamics": {"kind": "forced", "time_step": 0.005},
+            "forces": {"law": "lennard-jones", "cutoff": 2.5, "truncation": "shifted"},
+            "frame_interval": 0.05,
+            **(bath if thermostat else {}),
         }
     )
 

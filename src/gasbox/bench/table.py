@@ -23,7 +23,7 @@ def print_table(
 
     Parameters
     ----------
-    missing : packages of peers that are not installed
+    missing : packages of peers that are not installed, or do not start
     """
     columns = ["gas", "discs", "program", "million/s", "range", "ratio"] + ["moved"] * (earlier is not None)
     table = Table(*columns, box=SIMPLE)
@@ -69,6 +69,7 @@ def _notes(results: Sequence[Result], earlier: Earlier | None, missing: Sequence
         notes.append(f"moved: since {earlier.path}.")
     if missing:
         notes.append(
-            f"Left out, for they are not installed: {', '.join(missing)}. pip install 'gasbox[bench]'"
+            f"Left out, for they are not installed or do not start: {', '.join(missing)}. "
+            "pip install 'gasbox[bench]'"
         )
     return notes
