@@ -40,6 +40,7 @@ from gasbox.observe.histograms import (
 from gasbox.observe.indicator import Indicator, IndicatorSeries
 from gasbox.observe.motion import center_of_mass, mean_speed, rms_speed
 from gasbox.observe.neighbours import Neighbours, coordination, hexatic, hexatic_order, neighbours
+from gasbox.observe.phases import Phase, phase_shares, phases
 from gasbox.observe.pressure import (
     common_accessible_area,
     virial_pressure,
@@ -91,6 +92,7 @@ __all__ = [
     "MeanSquaredDisplacement",
     "Neighbours",
     "PairDistribution",
+    "Phase",
     "Profile",
     "ProfileAverage",
     "Profiles",
@@ -129,6 +131,8 @@ __all__ = [
     "momentum",
     "neighbours",
     "passage_rates",
+    "phase_shares",
+    "phases",
     "potential_energy",
     "rms_speed",
     "side_counts",
