@@ -5,7 +5,7 @@ import sys
 import numpy as np
 import pytest
 
-from gasbox.bench import missing_peers
+from gasbox.bench import missing_peers, peers
 from gasbox.bench.gases import EventDrivenGas, PlainEventDrivenGas, PlainSteppedGas, SteppedGas
 from gasbox.bench.observed import Gauges, observed_gases
 from gasbox.bench.peers import ArrayGas, Box2DGas, PymunkGas, ReboundGas, stepped_peers
@@ -23,9 +23,10 @@ def test_all_stepped_gases_do_what_is_asked() -> None:
 
 
 def test_peers_that_are_not_installed_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(peers, "missing_fluid_peers", lambda: ["mpich"])
     for package in ("pyb2d3", "rebound"):
         monkeypatch.setitem(sys.modules, package, None)
-    assert missing_peers() == ["pyb2d3", "rebound"]
+    assert missing_peers() == ["pyb2d3", "rebound", "mpich"]
     names = [gas.name for gas in stepped_peers(stepped_gas(4))]
     assert names == ["pymunk", "NumPy + k-d tree"]
 

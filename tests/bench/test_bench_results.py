@@ -14,6 +14,8 @@ from gasbox.errors import FileError
 DENSE = Result("event-driven, 0.6", "collisions", 1000, "gasbox", (0.9e6, 1e6, 1.1e6), 1.0)
 PLAIN = Result("event-driven, 0.6", "collisions", 1000, "plain loops", (4e5, 5e5, 6e5), 2.0)
 STEPPED = Result("stepped, 0.2", "particle steps", 10_000, "gasbox", (2e7,), 1.0)
+FORCED = Result("forced", "particle steps", 1000, "gasbox", (9e6,), 1.0)
+LAMMPS = Result("forced", "particle steps", 1000, "LAMMPS", (6e6,), 1.5)
 ALL = [STEPPED, DENSE, PLAIN]
 
 
@@ -46,7 +48,7 @@ def test_the_table_shows_rates_and_ratios(capsys: pytest.CaptureFixture[str]) ->
     assert shown.index("event-driven, 0.6") < shown.index("stepped, 0.2")
     assert "moved" not in shown
     assert "event-driven: collisions; stepped: particle steps" in shown
-    assert "not installed: rebound" in shown
+    assert "do not start: rebound" in shown
 
 
 def keep(folder: Path, name: str, kept: list[Result], date: str, quick: bool = False, **other: Any) -> Path:
@@ -96,13 +98,14 @@ def test_a_slower_machine_is_another_one(tmp_path: Path, monkeypatch: pytest.Mon
 def test_the_chart_has_a_line_for_each_program(tmp_path: Path) -> None:
     more = [faster(one, 0.5) for one in ALL]
     observed = Result("stepped, observed", "particle steps", 10_000, "gasbox", (1e7,), 1.0)
-    figure = draw_rates([*ALL, *more, observed], "small print")
-    exact, stepped = figure.axes
+    figure = draw_rates([*ALL, *more, observed, FORCED, LAMMPS], "small print")
+    exact, stepped, forced = figure.axes
     assert {line.get_label() for line in exact.lines} == {"gasbox, 0.6 filled", "plain loops, 0.6 filled"}
     styles = {str(line.get_label()).partition(",")[0]: line.get_linestyle() for line in exact.lines}
     assert styles == {"gasbox": "-", "plain loops": "--"}
     (line,) = stepped.lines
     assert list(line.get_ydata()) == [20.0, 10.0]
+    assert {line.get_label() for line in forced.lines} == {"gasbox", "LAMMPS"}
     assert {axes.get_xscale() for axes in figure.axes} | {axes.get_yscale() for axes in figure.axes} == {
         "log"
     }
@@ -115,4 +118,4 @@ def test_the_chart_has_a_line_for_each_program(tmp_path: Path) -> None:
 
 
 def test_a_chart_of_nothing_is_empty() -> None:
-    assert [len(axes.lines) for axes in draw_rates([]).axes] == [0, 0]
+    assert [len(axes.lines) for axes in draw_rates([]).axes] == [0, 0, 0]

@@ -70,8 +70,9 @@ class Lammps:
             self._lammps.command(line)
 
     def value(self, name: str) -> float:
-        """What a keyword of `thermo_style` says now."""
-        return float(self._lammps.get_thermo(name))
+        """What a keyword of `thermo_style` says now, also a compute (`c_name`)."""
+        self.command(f"variable said equal {name}")
+        return float(self._lammps.extract_variable("said"))
 
     def place(
         self, species: NDArray[np.int64], position: NDArray[np.float64], velocity: NDArray[np.float64]
