@@ -29,6 +29,7 @@ from gasbox.observe.energy import (
 )
 from gasbox.observe.following import FollowsChanges
 from gasbox.observe.gauge import WallGauge, WallSeries
+from gasbox.observe.heating import HeatingCourse, HeatingCurve
 from gasbox.observe.histograms import (
     Histogram,
     automatic_maximum,
@@ -61,6 +62,7 @@ from gasbox.observe.sides import (
     mixing_entropy,
     side_counts,
 )
+from gasbox.observe.stretches import LatentHeat, Stretch, branches, latent_heats, stretches
 from gasbox.observe.strips import Axis, extent, strip_areas
 from gasbox.observe.structure import PairDistribution, RadialDistribution
 from gasbox.observe.walls import (
@@ -83,10 +85,13 @@ __all__ = [
     "Displacements",
     "EnergyBalance",
     "FollowsChanges",
+    "HeatingCourse",
+    "HeatingCurve",
     "Histogram",
     "HistogramAverage",
     "Indicator",
     "IndicatorSeries",
+    "LatentHeat",
     "Line",
     "MeanDisplacement",
     "MeanSquaredDisplacement",
@@ -100,6 +105,7 @@ __all__ = [
     "Series",
     "SideSeries",
     "Sides",
+    "Stretch",
     "TimeSeries",
     "WallGauge",
     "WallSeries",
@@ -108,6 +114,7 @@ __all__ = [
     "between",
     "bin_edges",
     "block_error",
+    "branches",
     "center_of_mass",
     "collision_rates",
     "common_accessible_area",
@@ -124,6 +131,7 @@ __all__ = [
     "histogram",
     "internal_energy",
     "kinetic_energy",
+    "latent_heats",
     "mean_free_path",
     "mean_speed",
     "mixing",
@@ -139,6 +147,7 @@ __all__ = [
     "species_mean_free_path",
     "species_temperature",
     "speed_histogram",
+    "stretches",
     "strip_areas",
     "temperature",
     "thermal_energy",

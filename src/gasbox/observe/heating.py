@@ -1,0 +1,115 @@
+"""The heating curve of school chemistry: temperature against the heat that was added, with what the gas is meanwhile.
+
+The heat added is the change of the enthalpy H = K + U + P A, with the pressure P from outside (without a barostat the
+area stays, and it is the change of K + U): what the gas has got, whoever gave it. The temperature is the mean over the
+time between two frames, where the tallies hold it.
+
+Stretches are told from the shares of discs in each phase alone (`gasbox.observe.phases`), not from the temperature:
+solid, melting, liquid, boiling, gas, and subliming where solid and gas share the box without much liquid. In a finite
+gas plateaus are tilted and rounded, and a transition may begin late (a crystal without a surface overheats).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.geometry import Geometry
+from gasbox.observe.energy import degrees_of_freedom, enthalpy, temperature
+from gasbox.observe.phases import phase_shares, phases
+from gasbox.state import Contacts, State, Tallies
+
+__all__ = ["HeatingCourse", "HeatingCurve"]
+
+
+@dataclass(frozen=True)
+class HeatingCourse:
+    """One row for each frame.
+
+    Attributes
+    ----------
+    time : (frames,) float64 [time]
+    heat : (frames,) float64 [energy], added since the first frame, for each disc
+    enthalpy : (frames,) float64 [energy], of each disc
+    temperature : (frames,) float64 [energy], mean over the time since the frame before; the first as it is
+    density : (frames,) float64 [1/length²], discs per area
+    shares : (frames, 3) float64, of discs in gas, liquid and solid
+    """
+
+    time: NDArray[np.float64]
+    heat: NDArray[np.float64]
+    enthalpy: NDArray[np.float64]
+    temperature: NDArray[np.float64]
+    density: NDArray[np.float64]
+    shares: NDArray[np.float64]
+
+    def rows(self, chosen: slice | NDArray[np.int64]) -> HeatingCourse:
+        """Some of the frames; heat still counts from the first of all."""
+        return HeatingCourse(
+            self.time[chosen],
+            self.heat[chosen],
+            self.enthalpy[chosen],
+            self.temperature[chosen],
+            self.density[chosen],
+            self.shares[chosen],
+        )
+
+
+class HeatingCurve:
+    """Keeps heat, temperature, density and phases, frame by frame.
+
+    Parameters
+    ----------
+    geometry : what the gas is in
+    pressure : from outside, that of the barostat, constant [mass/time²]; 0 without one
+    distance : within which others are neighbours, for telling phases [length]; some 1.5 sigma
+    """
+
+    reads_contacts = False
+
+    def __init__(self, geometry: Geometry, pressure: float = 0.0, distance: float = 1.5) -> None:
+        self._geometry = geometry
+        self._pressure = pressure
+        self._distance = distance
+        self._before: tuple[float, float] = (0.0, 0.0)
+        self._rows: list[tuple[float, ...]] = []
+
+    def start(self, state: State, tallies: Tallies) -> None:
+        """Forget everything; heat counts from here."""
+        self._rows = []
+        self.observe(state, tallies)
+
+    def changed(self, state: State, geometry: Geometry) -> None:
+        """From now on the gas is in another geometry."""
+        self._geometry = geometry
+
+    def read(self, contacts: Contacts) -> None:
+        """Not needed."""
+
+    def observe(self, state: State, tallies: Tallies) -> None:
+        """Add a row, unless this moment was seen already; none for an empty box."""
+        if not state.count or (self._rows and state.time <= self._rows[-1][0]):
+            return
+        area = self._geometry.at(state.wall_displacement).area
+        each = enthalpy(state, self._geometry, self._pressure) / state.count
+        heat = each - self._rows[0][2] if self._rows else 0.0
+        shares = phase_shares(phases(state, self._geometry, self._distance))
+        warmth = self._temperature(state, float(tallies.kinetic_time[0]))
+        self._rows.append((state.time, heat, each, warmth, state.count / area, *shares))
+
+    def value(self) -> HeatingCourse:
+        """Everything so far."""
+        rows = np.array(self._rows, np.float64).reshape(-1, 8)
+        time, heat, each, warmth, density = rows[:, :5].T
+        return HeatingCourse(time, heat, each, warmth, density, rows[:, 5:])
+
+    def _temperature(self, state: State, kinetic_time: float) -> float:
+        """2/f times the mean kinetic energy since the last row; where nobody summed it, as it is now."""
+        (time, before), self._before = self._before, (state.time, kinetic_time)
+        freedom = degrees_of_freedom(state.count, self._geometry)
+        if self._rows and freedom and kinetic_time > before:
+            return 2.0 * (kinetic_time - before) / (freedom * (state.time - time))
+        now = temperature(state, self._geometry)
+        return np.nan if now is None else now
