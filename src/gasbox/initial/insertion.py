@@ -28,8 +28,8 @@ _GAP: Final = 1e-6
 
 
 def alike(room: Room, discs: NDArray[np.int64]) -> list[NDArray[np.int64]]:
-    """`discs` (m,) in runs of equal radius and bounds."""
-    kind = np.column_stack([room.radius[discs], room.low[discs], room.high[discs]])
+    """`discs` (m,) in runs of equal radius, reach and bounds."""
+    kind = np.column_stack([room.radius[discs], room.reach[discs], room.low[discs], room.high[discs]])
     starts = 1 + np.flatnonzero((kind[1:] != kind[:-1]).any(axis=1))
     return np.split(discs, starts)
 

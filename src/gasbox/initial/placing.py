@@ -17,7 +17,7 @@ from gasbox.initial.insertion import alike, insert_at_random, squeeze_in
 from gasbox.initial.lattice import place_on_lattice
 from gasbox.initial.room import Room
 from gasbox.rng import Stream, generator
-from gasbox.scenario import Crowd, Scenario, centre_bounds, crowds
+from gasbox.scenario import Crowd, Forced, Placement, Scenario, centre_bounds
 
 __all__ = ["place"]
 
@@ -27,6 +27,11 @@ _TRIES_EACH: Final = (25, 3, 0)
 """Tries of random insertion for each disc, in one attempt after the other; the rest is squeezed in."""
 _FACTORS: Final = (0.7, 0.5, 0.3)
 """Factors of the radii with which discs are squeezed in, in one attempt after the other."""
+
+_EASY: Final = 0.45
+"""Up to this area fraction discs of any sizes are soon placed between any walls."""
+_CLOSER: Final = (1.0, 0.8, 0.6)
+"""Factors of the radii of discs that forces will push apart, in one attempt after the other."""
 
 
 def place(
@@ -42,36 +47,83 @@ def place(
     ScenarioError
         No places were found within a bounded amount of work.
     """
-    geometry = scenario.geometry()
-    radii = np.array([entry.radius for entry in scenario.species])
-    bounds = np.array([entry.bounds(geometry) for entry in scenario.species])
-    found = crowds(geometry, scenario.species, scenario.particles)
-    low, high = _centre_bounds(scenario)
-    random = generator(scenario.seed, Stream.POSITIONS)
-    turn = _turns(radii[species], bounds[species], random)
-    every = np.concatenate([listed_species, species[turn]])
-    walls = None
-    if isinstance(geometry, Enclosure) and not all(crowd.plain for crowd in found):
-        walls = barriers(geometry, float(radii.max()))
-    room = Room.around(geometry, listed, radii[every], low[every], high[every], walls)
-    count = listed.shape[0]
-    for crowd in _islands(found):
-        discs = count + np.flatnonzero(np.isin(species[turn], crowd.members))
-        if not _place_crowd(_as_seen_by(crowd, room), crowd, discs, count, random):
-            raise ScenarioError([_refusal(room, crowd, discs)])
-    placed = np.empty((species.shape[0], 2))
-    placed[turn] = room.position[count:]
+    soft = isinstance(scenario.dynamics, Forced)
+    placement = Placement(scenario.geometry(), scenario.species, scenario.particles, soft, scenario.seed)
+    placed, free = np.empty((species.shape[0], 2)), np.ones(species.shape[0], np.bool_)
+    for number, places in placement.on_lattices().items():
+        members = species == number
+        placed[members] = places
+        listed = np.concatenate([listed, places])
+        listed_species = np.concatenate([listed_species, species[members]])
+        free[members] = False
+    rest = np.flatnonzero(free)
+    placed[rest] = _place_at_random(scenario, placement, listed, listed_species, species[rest])
     return placed
 
 
+def _place_at_random(
+    scenario: Scenario,
+    placement: Placement,
+    listed: NDArray[np.float64],
+    listed_species: NDArray[np.int32],
+    species: NDArray[np.int32],
+) -> NDArray[np.float64]:
+    """Positions of discs that stand nowhere yet; arguments as those of `place`."""
+    geometry, found = placement.geometry, placement.crowds()
+    reach = np.array([entry.radius for entry in scenario.species])
+    bounds = np.array([entry.bounds(geometry) for entry in scenario.species])
+    low, high = _centre_bounds(scenario)
+    random = generator(scenario.seed, Stream.POSITIONS)
+    turn = _turns(placement.radii[species], reach[species], bounds[species], random)
+    every = np.concatenate([listed_species, species[turn]])
+    walls = None
+    if isinstance(geometry, Enclosure) and not all(crowd.plain for crowd in found):
+        walls = barriers(geometry, float(reach.max()))
+    refusal: Problem | None = None
+    for factor in _sizes(found):
+        radius = factor * placement.radii[every]
+        room = Room.around(geometry, listed, radius, low[every], high[every], reach[every], walls)
+        refusal = _fill_all(room, found, species[turn], listed.shape[0], random)
+        if refusal is None:
+            placed = np.empty((species.shape[0], 2))
+            placed[turn] = room.position[listed.shape[0] :]
+            return placed
+    assert refusal is not None
+    raise ScenarioError([refusal])
+
+
+def _sizes(found: tuple[Crowd, ...]) -> tuple[float, ...]:
+    """Factors of the radii, in one attempt after the other: where forces act, discs may start a little too close."""
+    if not any(crowd.soft for crowd in found):
+        return (1.0,)
+    easy = all(crowd.plain and crowd.alone and crowd.one_size for crowd in found)
+    densest = max((crowd.fraction for crowd in found), default=0.0)
+    first = 1.0 if easy else min(1.0, math.sqrt(_EASY / max(densest, _EASY)))
+    return tuple(first * factor for factor in _CLOSER)
+
+
+def _fill_all(
+    room: Room, found: tuple[Crowd, ...], species: NDArray[np.int32], count: int, random: np.random.Generator
+) -> Problem | None:
+    """Place all discs behind the first `count`, of `species` (n,); returns what is wrong if that fails."""
+    for crowd in _islands(found):
+        discs = count + np.flatnonzero(np.isin(species, crowd.members))
+        if not _place_crowd(_as_seen_by(crowd, room), crowd, discs, count, random):
+            return _refusal(room, crowd, discs)
+    return None
+
+
 def _turns(
-    radius: NDArray[np.float64], bounds: NDArray[np.float64], random: np.random.Generator
+    radius: NDArray[np.float64],
+    reach: NDArray[np.float64],
+    bounds: NDArray[np.float64],
+    random: np.random.Generator,
 ) -> NDArray[np.intp]:
-    """In which order discs (n,) get their places: the largest first, those with equal radius and part shuffled.
+    """In which order discs (n,) get their places: the largest first, those that are alike shuffled.
 
     Neighbours in this order become neighbours in the box, which is quick; ids say nothing about places.
     """
-    return np.lexsort((random.random(radius.shape[0]), *bounds.T, -radius))
+    return np.lexsort((random.random(radius.shape[0]), -reach, *bounds.T, -radius))
 
 
 def _centre_bounds(scenario: Scenario) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

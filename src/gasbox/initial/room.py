@@ -51,13 +51,14 @@ class Room:
         radius: NDArray[np.float64],
         low: NDArray[np.float64],
         high: NDArray[np.float64],
+        reach: NDArray[np.float64],
         walls: Barriers | None = None,
     ) -> Room:
         """A room in which the first discs have the positions `listed` (m, 2) [length], and the others need one."""
         count = radius.shape[0]
         position = np.zeros((count, 2))
         placed, grid = np.zeros(count, np.bool_), empty_grid(geometry, radius)
-        room = cls(geometry, radius, low, high, position, placed, grid, radius, walls)
+        room = cls(geometry, radius, low, high, position, placed, grid, reach, walls)
         room.enter(np.arange(listed.shape[0]), listed)
         return room
 

@@ -15,7 +15,7 @@ from gasbox.scenario.container import (
     RectangleContainer,
     RegularPolygonContainer,
 )
-from gasbox.scenario.density import MIXTURE_LIMIT, ONE_SIZE_LIMIT, Crowd, centre_bounds, crowds
+from gasbox.scenario.density import MIXTURE_LIMIT, ONE_SIZE_LIMIT, Crowd, centre_bounds
 from gasbox.scenario.dynamics import EventDriven, Forced, Stepped
 from gasbox.scenario.forces import Charges, Forces, PairForces
 from gasbox.scenario.histograms import Histograms
@@ -23,6 +23,7 @@ from gasbox.scenario.json_schema import schema
 from gasbox.scenario.obstacles import BlockObstacle, Obstacle, PostObstacle, SegmentObstacle
 from gasbox.scenario.pair_laws import PairLaw, pair_laws
 from gasbox.scenario.particles import Particles
+from gasbox.scenario.placement import Placement
 from gasbox.scenario.reading import load, parse, shipped
 from gasbox.scenario.scenario import Scenario
 from gasbox.scenario.schedule import ScheduledChange
@@ -51,6 +52,7 @@ __all__ = [
     "PairForces",
     "PairLaw",
     "Particles",
+    "Placement",
     "PolygonContainer",
     "PostObstacle",
     "RectangleContainer",
@@ -67,7 +69,6 @@ __all__ = [
     "VelocityRescaling",
     "WallSettings",
     "centre_bounds",
-    "crowds",
     "load",
     "pair_laws",
     "parse",

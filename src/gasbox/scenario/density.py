@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -43,6 +43,7 @@ class Crowd:
     one_size : whether all discs inside have one radius
     alone : whether no disc from elsewhere can get in the way: no other part overlaps this one
     plain : whether the part is the whole rectangle, with nothing standing in it
+    soft : whether forces will push apart what overlaps a little
     """
 
     bounds: Bounds
@@ -52,21 +53,26 @@ class Crowd:
     alone: bool
     area: float
     plain: bool = True
+    soft: bool = False
 
     @property
     def limit(self) -> float:
         """Greatest area fraction at which these are placed."""
-        return ONE_SIZE_LIMIT if self.one_size and self.alone and self.plain else MIXTURE_LIMIT
+        easy = self.soft or (self.one_size and self.alone and self.plain)
+        return ONE_SIZE_LIMIT if easy else MIXTURE_LIMIT
 
 
-def crowds(geometry: Geometry, species: Sequence[Species], particles: Particles | None) -> tuple[Crowd, ...]:
+def crowds(
+    geometry: Geometry, species: Sequence[Species], particles: Particles | None, soft: bool = False
+) -> tuple[Crowd, ...]:
     """One crowd for each part of the container that is asked for; if any overlap, the last one is the whole."""
     whole = (0.0, geometry.width, 0.0, geometry.height)
     parts = list(dict.fromkeys(entry.bounds(geometry) for entry in species if entry.count))
     overlapping = any(_overlap(one, other) for one, other in itertools.combinations(parts, 2))
     if overlapping:
         parts = [part for part in parts if part != whole] + [whole]
-    return tuple(_crowd(part, not overlapping, geometry, species, particles) for part in parts)
+    found = (_crowd(part, not overlapping, geometry, species, particles) for part in parts)
+    return tuple(replace(crowd, soft=soft) for crowd in found)
 
 
 def _overlap(one: Bounds, other: Bounds) -> bool:
@@ -163,21 +169,24 @@ def _listed_sizes(
     return [(radius[name], count) for name, count in named if count and name in radius]
 
 
-def density_problems(
-    geometry: Geometry, species: Sequence[Species], particles: Particles | None
-) -> Iterator[Problem]:
-    """Parts of the container that are asked to hold too much."""
+def density_problems(geometry: Geometry, found: Sequence[Crowd], discs: str = "discs") -> Iterator[Problem]:
+    """Parts of the container that are asked to hold too much; `discs` is what to call those that were counted."""
     whole = (0.0, geometry.width, 0.0, geometry.height)
-    for crowd in crowds(geometry, species, particles):
+    for crowd in found:
         if crowd.fraction <= crowd.limit * (1 + _ROUNDING):
             continue
-        kind = "discs of one size" if crowd.limit == ONE_SIZE_LIMIT else "discs of several sizes or regions"
+        kind = (
+            f"{discs} of one size"
+            if crowd.limit == ONE_SIZE_LIMIT
+            else f"{discs} of several sizes or regions"
+        )
         if not crowd.plain:
-            kind = "discs beside obstacles or in a shape that is no rectangle"
+            kind = f"{discs} beside obstacles or in a shape that is no rectangle"
+        kind = discs if crowd.soft else kind
         single = len(crowd.members) == 1
         path = f"species[{crowd.members[0]}].count" if single else "species"
         where = "" if crowd.bounds == whole else " of the region"
-        found = f"an area fraction{where} of {crowd.fraction:.4g}"
+        area = f"an area fraction{where} of {crowd.fraction:.4g}"
         yield Problem(
-            path, found, f"at most {crowd.limit:g} for {kind}; use fewer or smaller discs or a larger box"
+            path, area, f"at most {crowd.limit:g} for {kind}; use fewer or smaller discs or a larger box"
         )

@@ -11,11 +11,11 @@ import numpy as np
 from gasbox.errors import Problem
 from gasbox.geometry import Enclosure, Geometry, Rectangle, side_count
 from gasbox.scenario.crowding import crowding_problems, glide_problems
-from gasbox.scenario.density import density_problems
 from gasbox.scenario.dynamics import Forced, Stepped
 from gasbox.scenario.falling import falling_problems
 from gasbox.scenario.forced_rules import forced_problems
 from gasbox.scenario.parts import Parts
+from gasbox.scenario.placement import Placement, placement_problems
 from gasbox.scenario.problems import near, short
 from gasbox.scenario.remembered import snapshot_problems
 from gasbox.scenario.schedule_rules import schedule_problems
@@ -58,8 +58,8 @@ def broken_rules(parts: Parts) -> list[Problem]:
     problems += [*room, *_listed_positions(parts, geometry)]
     if not room and parts.snapshot is None and all(parts.species):
         valid = tuple(entry for entry in parts.species if entry is not None)
-        dense = list(density_problems(geometry, valid, parts.particles))
-        problems += dense
+        soft = isinstance(parts.dynamics, Forced)
+        problems += placement_problems(Placement(geometry, valid, parts.particles, soft))
         if parts.are_valid and not problems:
             problems += crowding_problems(parts)
     return problems
