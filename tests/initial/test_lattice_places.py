@@ -141,18 +141,20 @@ def test_too_many_are_refused_with_what_would_fit():
 
 
 def test_a_seam_is_better_than_a_refusal():
-    # Along y the box is commensurate, but only along x there is room for all.
-    box = {"width": 9.5 * SPACING * ROW * 2, "height": 10.9 * SPACING, "periodic": ALL}
-    found = [entry for entry in range(150, 240) if fits(box, entry)]
-    assert found == list(range(150, 150 + len(found)))
+    # Rows along y would go round without a seam, but of those only every second one has a place here.
+    corridor = {"width": 12 * ROW * SPACING, "height": 1.0, "periodic": ["x"]}
+    state = populate(scenario(corridor, {"count": 10}))
+    assert (state.position[:, 1] == 0.5).all()
 
 
-def fits(box, count):
-    try:
-        scenario(box, {"count": count})
-    except ScenarioError:
-        return False
-    return True
+@pytest.mark.parametrize("periodic", [[], ["x"], ["y"], ALL])
+@pytest.mark.parametrize("width", [12, 12.6, 13.4])
+@pytest.mark.parametrize("rows", [7, 7.5, 9])
+def test_neighbours_keep_their_distance_round_the_box(periodic, width, rows):
+    box = {"width": width * SPACING, "height": rows * ROW * SPACING, "periodic": periodic}
+    most = int(refusal(box, {"count": 1000}).allowed.removeprefix("at most ").split()[0])
+    gas = scenario(box, {"count": most})
+    assert distances(populate(gas), gas.geometry()).min() > SPACING * (1 - 1.1e-3)
 
 
 def test_a_fine_lattice_in_a_large_box_takes_no_time():
