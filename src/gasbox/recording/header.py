@@ -7,11 +7,12 @@ import json
 import h5py
 import numpy as np
 
+from gasbox.geometry import Rectangle
 from gasbox.recording import places
-from gasbox.scenario import Scenario
+from gasbox.scenario import Forced, Scenario
 from gasbox.version import __version__
 
-__all__ = ["write_header"]
+__all__ = ["may_grow", "write_header"]
 
 
 def write_header(file: h5py.File, scenario: Scenario) -> None:
@@ -19,6 +20,14 @@ def write_header(file: h5py.File, scenario: Scenario) -> None:
     _metadata(file)
     _box(file, scenario)
     _origin(file, scenario)
+
+
+def may_grow(scenario: Scenario) -> bool:
+    """Whether a barostat may change the size of the box: only that of a periodic rectangle under forces."""
+    geometry = scenario.geometry()
+    return (
+        isinstance(scenario.dynamics, Forced) and isinstance(geometry, Rectangle) and not geometry.is_walled
+    )
 
 
 def _metadata(file: h5py.File) -> None:
@@ -36,7 +45,8 @@ def _box(file: h5py.File, scenario: Scenario) -> None:
     box = file.create_group(f"{places.PARTICLES}/box")
     box.attrs["dimension"] = 2
     box.attrs["boundary"] = np.array([b"periodic" if periodic else b"none" for periodic in geometry.periodic])
-    box.create_dataset("edges", data=geometry.size)
+    if not may_grow(scenario):
+        box.create_dataset("edges", data=geometry.size)
 
 
 def _origin(file: h5py.File, scenario: Scenario) -> None:

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gasbox import observe
 from gasbox.geometry import Geometry, Rectangle
-from gasbox.scenario import Scenario
+from gasbox.scenario import Forced, Scenario
 from gasbox.state import Frame, Tallies
 
 __all__ = ["Measurements"]
@@ -23,7 +23,9 @@ class Measurements:
 
     def __init__(self, scenario: Scenario) -> None:
         self._geometry = scenario.geometry()
-        self._plain = isinstance(self._geometry, Rectangle) and not scenario.schedule
+        self._forced = isinstance(scenario.dynamics, Forced)
+        bare = isinstance(self._geometry, Rectangle) and not scenario.schedule
+        self._plain = bare and not self._forced
         self._radii = np.array([species.radius for species in scenario.species])
         self._before: tuple[float, NDArray[np.float64], Tallies] | None = None
 
@@ -52,6 +54,9 @@ class Measurements:
         if not self._plain:
             here = geometry.at(state.wall_displacement)
             numbers |= {"potential_energy": observe.potential_energy(state, geometry), "area": here.area}
+        if self._forced:
+            sums = ("thermostat_heat", "heater_heat", "barostat_work")
+            numbers |= {"virial": state.virial, **{name: getattr(frame.tallies, name)[0] for name in sums}}
         return {**numbers, **self._pressures(frame)}
 
     def _by_species(self, values: list[float | None]) -> ArrayLike:

@@ -11,7 +11,10 @@ from typing import Final
 __all__ = [
     "CHANGES",
     "CHANGES_MADE",
+    "EDGES",
     "EVERY_FRAME",
+    "FORCES",
+    "FORCE_FIELDS",
     "FORMAT",
     "H5MD_VERSION",
     "LENGTHS",
@@ -31,6 +34,8 @@ FORMAT: Final = "gasbox-recording/1"
 H5MD_VERSION: Final = (1, 1)
 
 PARTICLES: Final = "particles/all"
+EDGES: Final = f"{PARTICLES}/box/edges"
+"""Size of the box, once for all; an element with a row for each frame where a barostat may change it."""
 OBSERVABLES: Final = "observables"
 OWN: Final = "parameters/gasbox"
 TALLIES: Final = f"{OWN}/tallies"
@@ -41,6 +46,11 @@ LENGTHS: Final = f"{OWN}/memory_lengths"
 
 WALL_FIELDS: Final = {"displacement": "wall_displacement", "velocity": "wall_velocity"}
 """Elements of `WALLS` -> fields of the state."""
+
+FORCES: Final = f"{OWN}/forces"
+"""What forces between discs give the state, each frame; 0 where there are none."""
+FORCE_FIELDS: Final = ("potential", "virial")
+"""Elements of `FORCES` and fields of the state."""
 
 EVERY_FRAME: Final = ("position", "velocity")
 """Particle fields with a row for each frame."""

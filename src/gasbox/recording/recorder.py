@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from gasbox.recording import places
 from gasbox.recording.complaints import refuse_foreign, refuse_full_disk, writing
 from gasbox.recording.elements import Elements
-from gasbox.recording.header import write_header
+from gasbox.recording.header import may_grow, write_header
 from gasbox.scenario import Scenario, ScheduledChange
 from gasbox.state import FIELDS, Change, Frame, State
 from gasbox.units import UNIT
@@ -28,12 +28,14 @@ _UNITS: Final = {
     **{f"{places.PARTICLES}/{field.name}": field.unit for field in FIELDS},
     f"{places.WALLS}/displacement": UNIT["position"],
     f"{places.WALLS}/velocity": UNIT["velocity"],
+    **{f"{places.FORCES}/{name}": UNIT["energy"] for name in places.FORCE_FIELDS},
+    places.EDGES: UNIT["position"],
 }
 _FILLS: Final[dict[str, float]] = {
     f"{places.PARTICLES}/id": places.NO_PARTICLE,
     **{f"{places.WALLS}/{name}": math.nan for name in places.WALL_FIELDS},
 }
-_OPTIONAL: Final = (f"{places.MEMORY}/", f"{places.LENGTHS}/", f"{places.WALLS}/")
+_OPTIONAL: Final = (f"{places.MEMORY}/", f"{places.LENGTHS}/", f"{places.WALLS}/", f"{places.FORCES}/")
 """What a gas may come to remember only later, as when a wall is first moved."""
 
 
@@ -66,6 +68,7 @@ class Recorder:
         self._flush_frames = flush_frames
         self._flushed_at = -math.inf
         self._failed = False
+        self._box = scenario.geometry() if may_grow(scenario) else None
         self._last_number = -1
         self._roster: State | None = None
         with writing(self.path):
@@ -140,6 +143,8 @@ class Recorder:
             values = {f"{places.PARTICLES}/{name}": getattr(state, name) for name in places.ROSTER}
             self._rosters.append(number, state.time, values, _FILLS, _UNITS)
         sample = _sample(frame, observables)
+        if self._box is not None:
+            sample[places.EDGES] = self._box.at(state.wall_displacement).size
         sample[places.CHANGES_MADE] = np.int64(len(self._changes))
         lengths = {path: -1.0 for path in sample if path.startswith(places.LENGTHS)}
         self._samples.append(number, state.time, sample, {**_FILLS, **lengths}, _UNITS)
@@ -185,6 +190,9 @@ def _sample(frame: Frame, observables: Mapping[str, ArrayLike | None]) -> dict[s
     if frame.state.wall_displacement.size:
         for name, field in places.WALL_FIELDS.items():
             values[f"{places.WALLS}/{name}"] = getattr(frame.state, field)
+    if frame.state.potential or frame.state.virial:
+        for name in places.FORCE_FIELDS:
+            values[f"{places.FORCES}/{name}"] = np.float64(getattr(frame.state, name))
     for name, tally in vars(frame.tallies).items():
         values[f"{places.TALLIES}/{name}"] = tally
     for name, remembered in frame.memory.items():

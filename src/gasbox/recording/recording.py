@@ -15,7 +15,7 @@ from gasbox.geometry import Geometry
 from gasbox.recording import places
 from gasbox.recording.complaints import is_hdf5, reading
 from gasbox.scenario import Particles, Scenario, ScheduledChange, parse
-from gasbox.state import Change, Frame, State, Tallies
+from gasbox.state import Change, Control, Frame, State, Tallies
 
 __all__ = ["Recording", "open_recording"]
 
@@ -131,6 +131,9 @@ class Recording:
         planned = [(entry.at, entry.change()) for entry in self.scenario.schedule if entry.at <= time]
         start = geometry = self.scenario.geometry()
         for moment, change in sorted([*planned, *changes], key=lambda entry: entry[0]):
+            if isinstance(change, Control):
+                # What holds the temperature of a gas, or the pressure, is no part of what it is in.
+                continue
             # Here, because it loads the kernels, which most readers do without.
             from gasbox.dynamics import altered
 
@@ -177,7 +180,8 @@ class Recording:
         particles = self._file[places.PARTICLES]
         found = [particles[name] for name in places.EVERY_FRAME if name in particles]
         found += [self._file[places.CHANGES_MADE]] if places.CHANGES_MADE in self._file else []
-        for path in (places.TALLIES, places.MEMORY, places.LENGTHS, places.WALLS, places.OBSERVABLES):
+        several = (places.TALLIES, places.MEMORY, places.LENGTHS, places.WALLS, places.FORCES)
+        for path in (*several, places.OBSERVABLES):
             found += self._file.get(path, {}).values()
         return found
 
@@ -204,6 +208,8 @@ class Recording:
             # Before the first wall has moved there is nothing.
             if found is not None and not np.isnan(found).any():
                 setattr(state, field, found)
+        for name, found in self._values(places.FORCES, row).items():
+            setattr(state, name, float(found))
         return state
 
     def _tallies(self, row: int) -> Tallies:
