@@ -40,6 +40,18 @@ def test_rows_of_a_heating_curve():
     assert found.shares[0].tolist() == [0.0, 0.0, 1.0]
 
 
+def test_heat_while_the_pressure_changes():
+    state, box = lattice(8, 6, 0.93)
+    curve = observe.HeatingCurve(box, pressure=lambda time: 0.1 * time)
+    curve.start(state, Tallies.zero(1, 4))
+    for time, way in ((1.0, 1.0), (2.0, 3.0)):
+        later = moved(state.copy(), 0.0, way, 0.0, 0.0)
+        later.time = time
+        curve.observe(later, Tallies.zero(1, 4))
+    # P dA: 0.05 over 1, then 0.15 over 2.
+    assert curve.value().heat * 48 == pytest.approx(np.array([0.0, 0.05, 0.35]) * box.height)
+
+
 def made_up(noise=0.0, frames=400, melting=0.3, boiling=0.8):
     """A curve heated at a constant rate: heat capacities 2, 2.5 and 2, transitions at 0.40 and 0.45."""
     ends = np.cumsum([0.0, 2.0 * 0.20, melting, 2.5 * 0.05, boiling, 2.0 * 0.25])

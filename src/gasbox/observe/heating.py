@@ -1,7 +1,8 @@
 """The heating curve of school chemistry: temperature against the heat that was added, with what the gas is meanwhile.
 
 The heat added is the change of the enthalpy H = K + U + P A, with the pressure P from outside (without a barostat the
-area stays, and it is the change of K + U): what the gas has got, whoever gave it. The temperature is the mean over the
+area stays, and it is the change of K + U): what the gas has got, whoever gave it. Where the pressure changes meanwhile
+it is the sum of d(K + U) + P dA. The temperature is the mean over the
 time between two frames, where the tallies hold it.
 
 Stretches are told from the shares of discs in each phase alone (`gasbox.observe.phases`), not from the temperature:
@@ -11,13 +12,14 @@ gas plateaus are tilted and rounded, and a transition may begin late (a crystal 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.geometry import Geometry
-from gasbox.observe.energy import degrees_of_freedom, enthalpy, temperature
+from gasbox.observe.energy import degrees_of_freedom, enthalpy, internal_energy, temperature
 from gasbox.observe.phases import phase_shares, phases
 from gasbox.state import Contacts, State, Tallies
 
@@ -63,17 +65,21 @@ class HeatingCurve:
     Parameters
     ----------
     geometry : what the gas is in
-    pressure : from outside, that of the barostat, constant [mass/time²]; 0 without one
+    pressure : from outside, that of the barostat, or a function of time that gives it [mass/time²]; 0 without one
     distance : within which others are neighbours, for telling phases [length]; some 1.5 sigma
     """
 
     reads_contacts = False
 
-    def __init__(self, geometry: Geometry, pressure: float = 0.0, distance: float = 1.5) -> None:
+    def __init__(
+        self, geometry: Geometry, pressure: float | Callable[[float], float] = 0.0, distance: float = 1.5
+    ) -> None:
         self._geometry = geometry
         self._pressure = pressure
         self._distance = distance
         self._before: tuple[float, float] = (0.0, 0.0)
+        self._energies: tuple[float, float, float] = (0.0, 0.0, 0.0)
+        self._sum = 0.0
         self._rows: list[tuple[float, ...]] = []
 
     def start(self, state: State, tallies: Tallies) -> None:
@@ -93,8 +99,9 @@ class HeatingCurve:
         if not state.count or (self._rows and state.time <= self._rows[-1][0]):
             return
         area = self._geometry.at(state.wall_displacement).area
-        each = enthalpy(state, self._geometry, self._pressure) / state.count
-        heat = each - self._rows[0][2] if self._rows else 0.0
+        pressure = self._pressure(state.time) if callable(self._pressure) else self._pressure
+        heat = self._heat(internal_energy(state, self._geometry), area, pressure) / state.count
+        each = enthalpy(state, self._geometry, pressure) / state.count
         shares = phase_shares(phases(state, self._geometry, self._distance))
         warmth = self._temperature(state, float(tallies.kinetic_time[0]))
         self._rows.append((state.time, heat, each, warmth, state.count / area, *shares))
@@ -104,6 +111,16 @@ class HeatingCurve:
         rows = np.array(self._rows, np.float64).reshape(-1, 8)
         time, heat, each, warmth, density = rows[:, :5].T
         return HeatingCourse(time, heat, each, warmth, density, rows[:, 5:])
+
+    def _heat(self, energy: float, area: float, pressure: float) -> float:
+        """Heat added since the first row [energy]."""
+        (old_energy, old_area, old_pressure), self._energies = self._energies, (energy, area, pressure)
+        self._sum = (
+            self._sum + energy - old_energy + 0.5 * (pressure + old_pressure) * (area - old_area)
+            if self._rows
+            else 0.0
+        )
+        return self._sum
 
     def _temperature(self, state: State, kinetic_time: float) -> float:
         """2/f times the mean kinetic energy since the last row; where nobody summed it, as it is now."""

@@ -190,13 +190,13 @@ def _pure(marked: list[Stretch], place: int, last: bool) -> slice:
 
 
 def _heat_at(curve: HeatingCourse, side: slice, warmth: float) -> tuple[float, float]:
-    """Enthalpy at a temperature by straight lines through some frames, and its standard error [energy].
+    """Heat added at a temperature by straight lines through some frames, and its standard error [energy].
 
     Both are drawn against time, which alone has no scatter of its own, whether heat or temperature is what is driven.
     """
     time = curve.time[side] - curve.time[side][0]
     (warm, warming), warm_error = _line(time, curve.temperature[side])
-    (level, rise), level_error = _line(time, curve.enthalpy[side])
+    (level, rise), level_error = _line(time, curve.heat[side])
     if warming == 0.0:
         return level, float("inf")
     when = (warmth - warm) / warming

@@ -2,7 +2,9 @@
 
 from gasbox.plots.balance import draw_energies, draw_indicator, draw_transfers
 from gasbox.plots.gas import draw_gas
+from gasbox.plots.heating import draw_heating_curve
 from gasbox.plots.histograms import HistogramPanel, draw_histograms, histogram_figure, theory_curve
+from gasbox.plots.matter import draw_hexatic, draw_msd, draw_phases, draw_rdf, draw_shares
 from gasbox.plots.overview import overview_figure
 from gasbox.plots.panels import Panel, draw_panels, panels_figure
 from gasbox.plots.profiles import draw_density, draw_temperature_profile
@@ -17,12 +19,18 @@ __all__ = [
     "draw_density",
     "draw_energies",
     "draw_gas",
+    "draw_heating_curve",
+    "draw_hexatic",
     "draw_histograms",
     "draw_indicator",
     "draw_mixing",
+    "draw_msd",
     "draw_panels",
     "draw_passed",
+    "draw_phases",
+    "draw_rdf",
     "draw_series",
+    "draw_shares",
     "draw_sides",
     "draw_temperature_profile",
     "draw_transfers",

@@ -41,6 +41,9 @@ def draw_transfers(axes: Axes, book: EnergyBalance) -> None:
         ("work of walls", book.work, _WORK),
         ("heat from walls", book.heat, _HEAT),
         ("carried away", -book.carried, _CARRIED),
+        ("heat from thermostat", book.thermostat, "#e07a5f"),
+        ("heat from heater", book.heater, "#b5179e"),
+        ("work of barostat", book.barostat, "#1f9e89"),
         ("rule for rest", book.rest, _OTHER),
         ("changed gravity", book.changes, QUIET),
     )

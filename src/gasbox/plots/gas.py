@@ -11,6 +11,7 @@ from matplotlib.collections import EllipseCollection
 from matplotlib.patches import Circle as Round
 from matplotlib.patches import Patch
 from matplotlib.patches import Polygon as Filled
+from numpy.typing import NDArray
 
 from gasbox.geometry import (
     Block,
@@ -34,7 +35,14 @@ __all__ = ["draw_gas"]
 _WARM, _MOVING, _BLOCK = "#d9480f", "#0b6bcb", "#c9d0d8"
 
 
-def draw_gas(axes: Axes, state: State, geometry: Geometry, species: Species, title: str = "") -> None:
+def draw_gas(
+    axes: Axes,
+    state: State,
+    geometry: Geometry,
+    species: Species,
+    title: str = "",
+    groups: NDArray[np.int8] | None = None,
+) -> None:
     """All discs at one moment, in their surroundings.
 
     Thermal walls are red, moving ones blue, open ones dashed, those that some pass dotted; periodic edges are faint.
@@ -42,22 +50,24 @@ def draw_gas(axes: Axes, state: State, geometry: Geometry, species: Species, tit
     Parameters
     ----------
     geometry : at the time of the state; its walls are displaced here
+    species : name and colour of each
+    groups : (n,) of what else discs are coloured by; then `species` has their names and colours
     """
     here = geometry.at(state.wall_displacement)
     _draw_container(axes, here)
     if isinstance(here, Enclosure):
         for number in range(len(here.obstacles)):
             _draw_obstacle(axes, here, number)
-    _draw_discs(axes, state, species)
+    _draw_discs(axes, state, species, state.species if groups is None else groups)
     _fit(axes, here, state)
     axes.set_title(title or f"time {state.time:g}", color=INK, fontsize=10, fontweight="bold")
     axes.set_xlabel(label("x", "position"), color=INK, fontsize=9)
     axes.set_ylabel(label("y", "position"), color=INK, fontsize=9)
 
 
-def _draw_discs(axes: Axes, state: State, species: Species) -> None:
-    for number, (_, color) in enumerate(species):
-        mine = state.species == number
+def _draw_discs(axes: Axes, state: State, kinds: Species, groups: NDArray[Any]) -> None:
+    for number, (_, color) in enumerate(kinds):
+        mine = groups == number
         if not np.any(mine):
             continue
         across = 2.0 * state.radius[mine]
