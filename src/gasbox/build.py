@@ -15,13 +15,26 @@ from gasbox.geometry import Geometry
 from gasbox.initial import Overlap, populate, recall_walls, separate, worst_overlap
 from gasbox.jit import mark_compiled
 from gasbox.protocols import Dynamics
-from gasbox.scenario import EventDriven, Scenario, Snapshot, Stepped, parse
-from gasbox.state import Change, Contacts, Memory, State, Tallies
+from gasbox.scenario import (
+    EventDriven,
+    Forced,
+    Forces,
+    Scenario,
+    Snapshot,
+    Stepped,
+    pair_laws,
+    parse,
+    starting_temperature,
+)
+from gasbox.state import Change, Contacts, Control, Memory, State, Tallies
 
 __all__ = ["Parts", "build", "compile_kernels"]
 
 _FRAMES_ACROSS = 240
 """Frames in which a disc of typical speed crosses the shorter side of the box, where no interval is given."""
+
+_STEPS_A_FRAME = 10
+"""Of forced dynamics: as many as lie between two measurements of the energy."""
 
 
 @dataclass
@@ -48,7 +61,8 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
     changes = _changes(scenario)
     geometry = start
     for time, change in changes:
-        geometry = rules.altered(geometry, time, change, start)
+        if not isinstance(change, Control):
+            geometry = rules.altered(geometry, time, change, start)
     state = populate(scenario)
     warnings: list[str] = []
     memory = _memory(scenario)
@@ -56,6 +70,8 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
         recall_walls(state, geometry, scenario.snapshot)
     if isinstance(scenario.dynamics, EventDriven) and memory is None:
         _part(state, geometry, scenario, warnings)
+    if isinstance(scenario.dynamics, Forced) and memory is None:
+        warnings += _calm(state, geometry, scenario)
     dynamics = _dynamics(scenario, state, geometry, memory, threads)
     if isinstance(scenario.dynamics, Stepped):
         warnings += _tunnelling(state, scenario.dynamics.time_step)
@@ -81,6 +97,8 @@ def _memory(scenario: Scenario) -> Memory | None:
             return memory if "step" in memory else None
         case EventDriven():
             return memory if "epoch" in memory else None
+        case Forced():
+            return memory if "forced_step" in memory else None
 
 
 def _dynamics(
@@ -95,6 +113,44 @@ def _dynamics(
             )
         case EventDriven():
             return rules.EventDriven(state, geometry, tallies, contacts, memory, scenario.seed)
+        case Forced():
+            settings = _forced_settings(scenario, state)
+            return rules.Forced(state, geometry, settings, tallies, contacts, memory, threads, scenario.seed)
+
+
+def _calm(state: State, geometry: Geometry, scenario: Scenario) -> list[str]:
+    """Move apart discs whose forces are extreme, and say so; say so too if the time step is long."""
+    warnings = []
+    settings = _forced_settings(scenario, state)
+    strength = max(law.epsilon for law in pair_laws(scenario).values())
+    moved = rules.relax(state, geometry, settings, strength, scenario.seed)
+    if moved is not None:
+        warnings.append(f"discs that overlapped were moved apart before the start, by at most {moved:.3g}")
+    long = rules.step_warning(state, settings, strength)
+    return warnings if long is None else [*warnings, long]
+
+
+def _forced_settings(scenario: Scenario, state: State) -> rules.ForcedSettings:
+    """Forces and baths; a thermostat without a temperature takes that of the start."""
+    assert isinstance(scenario.dynamics, Forced)
+    forces = scenario.forces or Forces()
+    laws = pair_laws(scenario)
+    thermostat = scenario.thermostat
+    if thermostat is not None and thermostat.temperature is None:
+        warm = starting_temperature(scenario.species)
+        if warm is None:
+            warm = 0.5 * float(np.mean(state.mass @ state.velocity**2)) / max(state.count, 1)
+        thermostat = thermostat.model_copy(update={"temperature": warm})
+    charge = [entry.charge or 0.0 for entry in scenario.species]
+    return rules.ForcedSettings(
+        scenario.dynamics.time_step,
+        rules.pair_terms(laws, len(scenario.species), forces.charges, charge),
+        min(law.sigma for law in laws.values()),
+        max(law.epsilon for law in laws.values()) if forces.walls == "repulsive" else 0.0,
+        thermostat,
+        scenario.barostat,
+        scenario.heating,
+    )
 
 
 def _tallies(snapshot: Snapshot | None, species: int, walls: int) -> Tallies:
@@ -148,6 +204,8 @@ def _frame_interval(scenario: Scenario, state: State, geometry: Geometry) -> flo
         return scenario.frame_interval
     if isinstance(scenario.dynamics, Stepped):
         return scenario.dynamics.time_step
+    if isinstance(scenario.dynamics, Forced):
+        return _STEPS_A_FRAME * scenario.dynamics.time_step
     speed = math.sqrt(float((state.velocity**2).sum(axis=1).mean())) if state.count else 0.0
     if speed == 0.0:
         return 1.0
@@ -169,6 +227,8 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
         ("stepped dynamics", lambda: _run_tiny("stepped")),
         ("finding events", lambda: build(_tiny("event-driven"))),
         ("event-driven dynamics", lambda: _run_tiny("event-driven")),
+        ("forced dynamics", lambda: _run_tiny("forced")),
+        ("forced dynamics, periodic boxes", _run_crystal),
         ("stepped dynamics, walls of any shape", lambda: _run_tiny("stepped", enclosed=True)),
         ("event-driven dynamics, walls of any shape", lambda: _run_tiny("event-driven", enclosed=True)),
     ]
@@ -209,6 +269,19 @@ def _part_tiny() -> None:
     state.position[1] = state.position[0] + 0.01
     worst_overlap(state, geometry)
     separate(state, geometry)
+
+
+def _run_crystal() -> None:
+    box = {"shape": "rectangle", "width": 8, "height": 8, "periodic": ["x", "y"]}
+    atom = {"name": "atom", "radius": 0.5, "count": 9, "temperature": 1}
+    data = {
+        "format": "gasbox-scenario/1",
+        "container": box,
+        "species": [atom],
+        "dynamics": {"kind": "forced"},
+    }
+    parts = build(parse(data))
+    parts.dynamics.advance(parts.state, 0.1)
 
 
 def _run_tiny(kind: str, enclosed: bool = False) -> None:

@@ -6,9 +6,9 @@ from enum import IntEnum
 from typing import Protocol, runtime_checkable
 
 from gasbox.geometry import Geometry
-from gasbox.state import Contacts, Memory, State, Tallies
+from gasbox.state import Contacts, Control, Memory, State, Tallies
 
-__all__ = ["Dynamics", "Observer", "Status"]
+__all__ = ["Controlled", "Dynamics", "Observer", "Status"]
 
 
 class Status(IntEnum):
@@ -51,6 +51,21 @@ class Dynamics(Protocol):
 
     def memory(self) -> Memory:
         """What must be kept beside the state to go on with the same bits."""
+        ...
+
+
+@runtime_checkable
+class Controlled(Protocol):
+    """What a dynamics also has if baths act on its gas as a whole."""
+
+    def control(self, state: State, change: Control) -> None:
+        """Set thermostat, barostat or heating to something new, at the time of the state.
+
+        Raises
+        ------
+        UsageError
+            This gas cannot have such a bath.
+        """
         ...
 
 

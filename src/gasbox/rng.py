@@ -21,6 +21,12 @@ class Stream(IntEnum):
     """The velocities drawn at the start."""
     THERMAL_WALLS = 3
     """Velocities with which discs leave a thermal wall; drawn in `gasbox.kernels.hall.rebound`."""
+    LANGEVIN = 4
+    """Kicks of the Langevin thermostat; this and the next two are drawn in `gasbox.kernels.forced.bath`."""
+    RESCALING = 5
+    """Factors of stochastic velocity rescaling."""
+    BAROSTAT = 6
+    """Changes of the area by stochastic cell rescaling."""
 
 
 def generator(seed: int, stream: Stream, index: int = 0) -> np.random.Generator:

@@ -2,6 +2,18 @@
 
 from gasbox.dynamics.changes import altered
 from gasbox.dynamics.event_driven import EventDriven
+from gasbox.dynamics.forced import Forced, ForcedSettings
+from gasbox.dynamics.pair_terms import pair_terms
+from gasbox.dynamics.relax import relax, step_warning
 from gasbox.dynamics.stepped import Stepped
 
-__all__ = ["EventDriven", "Stepped", "altered"]
+__all__ = [
+    "EventDriven",
+    "Forced",
+    "ForcedSettings",
+    "Stepped",
+    "altered",
+    "pair_terms",
+    "relax",
+    "step_warning",
+]

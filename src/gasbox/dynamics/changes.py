@@ -6,7 +6,7 @@ import dataclasses
 
 from gasbox.errors import UsageError
 from gasbox.geometry import Enclosure, Geometry, Motion, Path, Piston, Rectangle, Wall
-from gasbox.state import Change, MoveWall, SetGravity, SetWall
+from gasbox.state import MoveWall, SetGravity, SetWall
 
 __all__ = ["altered", "as_enclosure"]
 
@@ -18,7 +18,9 @@ def as_enclosure(geometry: Geometry) -> Enclosure:
     return geometry
 
 
-def altered(geometry: Geometry, time: float, change: Change, start: Geometry) -> Geometry:
+def altered(
+    geometry: Geometry, time: float, change: SetGravity | MoveWall | SetWall, start: Geometry
+) -> Geometry:
     """The geometry after a change.
 
     Parameters

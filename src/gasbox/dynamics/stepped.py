@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.dynamics.halls import make_hall, start_walls, wall_rows
-from gasbox.dynamics.team import Team, processors
+from gasbox.dynamics.team import Team, fitting_threads
 from gasbox.geometry import Enclosure, Geometry, Path, Rectangle
 from gasbox.kernels import arguments, stepped
 from gasbox.kernels.hall import set_motion
@@ -19,14 +19,8 @@ from gasbox.state import Contacts, Memory, State, Tallies
 
 __all__ = ["Stepped"]
 
-_FEW = 5_000
-"""Particles a thread below which more threads are not worth their meetings."""
 _ROOM = 1.25
 """Room for a side that moves out, when the cells are laid out again."""
-
-
-def _fitting_threads(particles: int) -> int:
-    return max(1, min(processors(), particles // _FEW))
 
 
 class Stepped:
@@ -84,7 +78,7 @@ class Stepped:
 
     def resync(self, state: State) -> None:
         """Take over the particles of `state`."""
-        threads = self._threads or _fitting_threads(state.count)
+        threads = self._threads or fitting_threads(state.count)
         if self._team is None or self._team.wanted != threads:
             self._team = Team(threads)
         self._box = self._box_around(state)

@@ -10,7 +10,10 @@ from typing import Any
 from gasbox.jit import is_compiling
 from gasbox.kernels.team import flags, give_up
 
-__all__ = ["Team", "processors"]
+__all__ = ["Team", "fitting_threads", "processors"]
+
+_FEW = 5_000
+"""Particles a thread below which more threads are not worth their meetings."""
 
 
 def processors() -> int:
@@ -19,6 +22,11 @@ def processors() -> int:
         return len(os.sched_getaffinity(0))
     except AttributeError:  # not known on this system
         return os.cpu_count() or 1
+
+
+def fitting_threads(particles: int) -> int:
+    """How many threads are worth their meetings for so many particles."""
+    return max(1, min(processors(), particles // _FEW))
 
 
 class Team:

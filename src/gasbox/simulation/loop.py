@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from gasbox.errors import UsageError
 from gasbox.protocols import Observer
-from gasbox.scenario import Scenario, Stepped
+from gasbox.scenario import Forced, Scenario, Stepped
 from gasbox.simulation.simulation import Simulation
 from gasbox.state import Frame
 
@@ -68,10 +68,13 @@ def _frames(simulation: Simulation, until: float | None, frames: int | None, eve
     if not (every > 0 and math.isfinite(every)):
         raise UsageError(f"the time between frames is {every:g}; it must be above zero")
     dynamics = simulation.scenario.dynamics
-    if isinstance(dynamics, Stepped) and abs(math.remainder(every, dynamics.time_step)) > 1e-6 * every:
+    if (
+        isinstance(dynamics, Stepped | Forced)
+        and abs(math.remainder(every, dynamics.time_step)) > 1e-6 * every
+    ):
         raise UsageError(
-            f"the time between frames is {every:g}; under the stepped rule it must be a whole multiple of the "
-            f"time step, {dynamics.time_step:g}"
+            f"the time between frames is {every:g}; under the {dynamics.kind} rule it must be a whole multiple of "
+            f"the time step, {dynamics.time_step:g}"
         )
     if frames is not None:
         if until is not None:

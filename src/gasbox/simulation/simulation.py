@@ -13,10 +13,10 @@ from gasbox import observe
 from gasbox.build import build
 from gasbox.dynamics import altered
 from gasbox.errors import UsageError
-from gasbox.protocols import Observer, Status
+from gasbox.protocols import Controlled, Observer, Status
 from gasbox.scenario import Scenario, ScheduledChange, Stepped, load
 from gasbox.simulation import snapshot, summary
-from gasbox.state import Change, Contacts, Frame, MoveWall
+from gasbox.state import Change, Contacts, Control, Frame, MoveWall
 
 __all__ = ["Simulation"]
 
@@ -87,23 +87,35 @@ class Simulation:
         return sorted(plan, key=lambda entry: entry.at, reverse=True)
 
     def apply(self, change: Change) -> None:
-        """Change gravity or a wall at the present time. It is logged, so that the run can be repeated to the bit.
+        """Change gravity, a wall or a bath now. It is logged, so that the run can be repeated to the bit.
 
         Raises
         ------
         UsageError
-            There is no such wall, or it cannot do that.
+            There is no such wall, or it cannot do that; or there is nothing in this dynamics to change so.
         """
+        if isinstance(change, Control):
+            self._control(change)
+            self.changes.append((self.time, change))
+            return
         if isinstance(change, MoveWall) and change.wall in self.geometry.wall_names:
             number = self.geometry.wall_names.index(change.wall)
             moved = self.state.wall_displacement
             change = replace(change, origin=float(moved[number]) if moved.size else 0.0)
-        self.geometry = altered(self.geometry, self.time, change, self._start_geometry)
-        self.dynamics.alter(self.state, self.geometry)
+        geometry = altered(self.geometry, self.time, change, self._start_geometry)
+        self.dynamics.alter(self.state, geometry)
+        self.geometry = geometry
         self.changes.append((self.time, change))
         for observer in self._observers:
             if isinstance(observer, observe.FollowsChanges):
                 observer.changed(self.state, self.geometry)
+
+    def _control(self, change: Control) -> None:
+        if not isinstance(self.dynamics, Controlled):
+            raise UsageError(
+                f"{self.scenario.dynamics.kind} dynamics has no thermostat, barostat or heating; forced dynamics has"
+            )
+        self.dynamics.control(self.state, change)
 
     def attach(self, observer: Observer) -> None:
         """Let an observer read the run from now on."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from gasbox import observe
 from gasbox.geometry import Geometry
 from gasbox.protocols import Dynamics
-from gasbox.scenario import Scenario, Stepped
+from gasbox.scenario import Forced, Scenario, Stepped
 from gasbox.state import State, Tallies
 from gasbox.version import __version__
 
@@ -165,6 +165,6 @@ def _species(simulation: Run, k: int, count: int) -> dict[str, Any]:
 
 def _particle_steps(simulation: Run, duration: float) -> float | None:
     dynamics = simulation.scenario.dynamics
-    if not isinstance(dynamics, Stepped):
+    if not isinstance(dynamics, Stepped | Forced):
         return None
     return round(duration / dynamics.time_step) * simulation.state.count / simulation.wall_seconds

@@ -35,7 +35,7 @@ from gasbox.kernels.hall.tables import (
 )
 from gasbox.rng import Stream
 
-__all__ = ["LEAST_HEIGHT", "normal_at", "rebound", "rest_speed"]
+__all__ = ["LEAST_HEIGHT", "normal_at", "rebound", "rest_speed", "thermal_speeds"]
 
 LEAST_HEIGHT = 1e-6
 """A disc that is pressed to a wall rebounds at least so high, in radii: the rule for discs at rest."""
@@ -72,7 +72,7 @@ def rest_speed(hall: Hall, number: int, along: float, nx: float, ny: float, r: f
 
 
 @bare_kernel
-def _thermal(
+def thermal_speeds(
     hall: Hall, number: int, mass: float, label: int, time: float, epoch: float
 ) -> tuple[float, float]:
     """Normal and tangential speed of a disc that leaves a thermal wall: v exp(-m v²/2T), and a Gaussian.
@@ -128,7 +128,7 @@ def rebound(
     vt = vy * nx - vx * ny
     away, slide = u - vn, vt
     if hall.wall[number, TEMPERATURE] >= 0.0:
-        away, slide = _thermal(hall, number, mass, label, time, epoch)
+        away, slide = thermal_speeds(hall, number, mass, label, time, epoch)
         result[4] = 0.5 * mass * (away * away + slide * slide - (vn - u) ** 2 - vt * vt)
     else:
         result[4] = 0.0

@@ -1,0 +1,323 @@
+"""Discs with forces between them, by velocity Verlet."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.dynamics.baths import Drive, degrees_of_freedom, drive_of
+from gasbox.dynamics.changes import as_enclosure
+from gasbox.dynamics.halls import make_hall
+from gasbox.dynamics.team import Team, fitting_threads
+from gasbox.errors import DynamicsError, UsageError
+from gasbox.geometry import Geometry
+from gasbox.geometry.conserved import conserved_momentum
+from gasbox.kernels import arguments, forced
+from gasbox.protocols import Status
+from gasbox.scenario import Barostat, Heating, Thermostat
+from gasbox.state import Contacts, Control, Memory, State, Tallies
+
+__all__ = ["Forced", "ForcedSettings"]
+
+_SKIN = 0.4
+"""By which lists reach beyond the largest cutoff, in units of the smallest sigma."""
+_MOST = 0.25
+"""Way in one step, in units of the smallest sigma, that no sensible step makes."""
+_LEFT = 8.0
+"""Entries in the list of an atom at first, before it is known how long lists are."""
+
+
+@dataclass(frozen=True)
+class ForcedSettings:
+    """What a forced dynamics is told.
+
+    Attributes
+    ----------
+    time_step : [time]
+    terms : the table of pair laws
+    sigma : smallest range of a force [length]
+    wall_strength : of walls that push back smoothly [energy]; 0 for walls at which discs turn round
+    thermostat, barostat, heating : as the scenario has them; a thermostat has a temperature
+    """
+
+    time_step: float
+    terms: forced.Terms
+    sigma: float
+    wall_strength: float = 0.0
+    thermostat: Thermostat | None = None
+    barostat: Barostat | None = None
+    heating: Heating | None = None
+
+
+class Forced:
+    """Velocity Verlet under forces between all discs, with thermostat, heating and barostat.
+
+    Time exists in whole steps only: `advance` goes to the last step at or before the time asked for. Potential energy
+    and virial of the present moment stand in the state, their time integrals in the tallies.
+
+    Parameters
+    ----------
+    state : the particles; its arrays are changed in place
+    geometry : the box, or the enclosure
+    settings : forces and baths
+    tallies, contacts : where energies, and collisions with walls, are booked
+    memory : as `memory` gave it, for going on from a snapshot
+    threads : how many work together; None takes as many as there are processors if there are many particles.
+        It changes no bit.
+    seed : of the random numbers of thermostats, barostat and thermal walls
+
+    Raises
+    ------
+    UsageError
+        Walls that move, open walls, or walls that some pass.
+    """
+
+    def __init__(
+        self,
+        state: State,
+        geometry: Geometry,
+        settings: ForcedSettings,
+        tallies: Tallies,
+        contacts: Contacts,
+        memory: Memory | None = None,
+        threads: int | None = None,
+        seed: int = 0,
+    ) -> None:
+        self.settings = settings
+        self.time_step = settings.time_step
+        self.tallies = tallies
+        self.contacts = contacts
+        self._threads = threads
+        self._seed = seed
+        self._team: Team | None = None
+        step = int(memory["forced_step"]) if memory else round(state.time / self.time_step)
+        self._clock = np.array([step], np.int64)
+        state.time = self._time
+        self._size = geometry.size if memory is None else np.asarray(memory["box"], np.float64)
+        self._drive = Drive(drive_of(settings.thermostat, settings.barostat, settings.heating))
+        if memory:
+            self._drive.values[:] = np.asarray(memory["drive"], np.float64)
+        self._enter(state, geometry)
+        self._begin(state, memory)
+
+    # -- what others change ----------------------------------------------------------------------------
+
+    def alter(self, state: State, geometry: Geometry) -> None:
+        """Take over another geometry at the time of the state."""
+        self._enter(state, geometry)
+        self._begin(state)
+
+    def resync(self, state: State) -> None:
+        """Take over the particles of `state`."""
+        self._begin(state)
+
+    def control(self, state: State, change: Control) -> None:
+        """Set thermostat, barostat or heating to something new."""
+        if not self._bath.drifts_x & self._bath.drifts_y:
+            self._drive.refuse_barostat(change)
+        self._drive.change(change, self._time, self._temperature(state))
+
+    def _temperature(self, state: State) -> float:
+        kinetic = 0.5 * float(np.sum(state.mass @ state.velocity**2))
+        return 2.0 * kinetic / self._bath.freedom if self._bath.freedom else 0.0
+
+    def _enter(self, state: State, geometry: Geometry) -> None:
+        """Take over a geometry."""
+        self._geometry = geometry
+        hall = None
+        if geometry.is_walled or np.any(geometry.gravity):
+            enclosure = as_enclosure(geometry)
+            if enclosure.moves or any(wall.open or wall.passes is not None for wall in enclosure.walls):
+                raise UsageError("under forces no wall moves, is open or lets some pass")
+            hall = make_hall(enclosure, self.tallies.pair_collisions.shape[0], self._seed)
+        self._hall = hall
+        drifts = conserved_momentum(geometry)
+        self._bath = forced.Bath(
+            self._drive.values,
+            np.array([self._seed & 0xFFFFFFFF, self._seed >> 32], np.int64),
+            degrees_of_freedom(state.count, geometry),
+            bool(drifts[0]),
+            bool(drifts[1]),
+        )
+        gravity = np.where(geometry.periodic, 0.0, geometry.gravity)
+        self._rule = forced.Rule(
+            self.time_step,
+            _SKIN * self.settings.sigma,
+            _MOST * self.settings.sigma,
+            bool(geometry.periodic_x),
+            bool(geometry.periodic_y),
+            float(gravity[0]),
+            float(gravity[1]),
+        )
+
+    # -- tables ----------------------------------------------------------------------------------------
+
+    def _begin(self, state: State, memory: Memory | None = None) -> None:
+        """Make all tables for the particles of `state`, or as they were when `memory` was taken."""
+        self._bath = self._bath._replace(freedom=degrees_of_freedom(state.count, self._geometry))
+        threads = self._threads or fitting_threads(state.count)
+        if self._team is None or self._team.wanted != threads:
+            self._team = Team(threads)
+        reach = self.settings.terms.reach + self._rule.skin
+        around = state.count * (2.0 * reach) ** 2 / float(np.prod(self._size))
+        self._room_for = max(_LEFT, around / 4.0)
+        self._images = 2.0
+        self._thickness = reach / max(1, round(around / 20.0))
+        present = np.zeros((0, 2)) if memory is None else np.asarray(memory["position"], np.float64)
+        start = state
+        if memory is not None:
+            start = state.copy()
+            start.position = np.asarray(memory["built"], np.float64).reshape(-1, 2)
+        self._atoms = forced.atoms(start)
+        self._books = forced.books(self.tallies)
+        self._make_room(state.count)
+        while self._call_prepare(state, present) == forced.GROW:
+            self._grow(state.count)
+        self._show(state)
+
+    def _make_room(self, count: int) -> None:
+        """Slots, lists and strips of the sizes that seem right."""
+        assert self._team is not None
+        threads, reach = self._team.threads, self.settings.terms.reach + self._rule.skin
+        width, height = float(self._size[0]), float(self._size[1])
+        strips = forced.strips(height, reach, self._thickness, threads)
+        images = 1.0
+        if self._rule.periodic_x:
+            images *= 1.0 + 2.0 * reach / width
+        if self._rule.periodic_y:
+            images *= 1.0 + 2.0 * (reach + self._thickness) / height
+        slots = forced.slots(int(self._images * count * images) + 16 * strips.slot.shape[0] + 64)
+        lists = forced.lists(
+            count, int(self._room_for * (count + 64)) * 2 + threads * 8 * slots.x.shape[0] // 8
+        )
+        room = forced.room(count, (width, height), threads)
+        self._crowd = forced.Crowd(self._atoms, slots, lists, strips, room)
+        self._walls = None
+        if self._hall is not None:
+            near = int(self._images * (256 + 4 * count))
+            self._walls = forced.walls(self._hall, self.settings.wall_strength, near)
+
+    def _grow(self, count: int) -> None:
+        """Room for more, with the same atoms in the same stage."""
+        room, walls = self._crowd.room, self._walls
+        self._images *= 2.0
+        self._room_for *= 2.0
+        self._size = room.size.copy()
+        self._make_room(count)
+        new = self._crowd.room
+        new.stage[:], new.before[:], new.sums[:] = room.stage, room.before, room.sums
+        if walls is not None and self._walls is not None:
+            self._walls.cursor[:] = walls.cursor
+
+    def _call_prepare(self, state: State, present: NDArray[np.float64]) -> int:
+        count = np.array([self.contacts.count], np.int64)
+        return forced.prepare(
+            self._crowd,
+            self.settings.terms,
+            self._rule,
+            self._bath,
+            arguments.gas(state),
+            self._walls,
+            arguments.ledger(self.tallies, self.contacts, count, state),
+            self._books,
+            present,
+        )
+
+    # -- motion ----------------------------------------------------------------------------------------
+
+    @property
+    def _time(self) -> float:
+        return float(self._clock[0]) * self.time_step
+
+    def step_at(self, time: float) -> int:
+        """The last step at or before `time`, forgiving a billionth of a step."""
+        return math.floor(time / self.time_step + 1e-9)
+
+    def advance(self, state: State, until: float) -> Status:
+        """Take whole steps up to the last one at or before `until` [time]."""
+        target = self.step_at(until)
+        while True:
+            status = self._take_steps(state, target)
+            if status != forced.GROW:
+                break
+            self._grow(state.count)
+        if status == forced.TOO_FAR:
+            self._explain(state)
+        state.time = self._time
+        if status == arguments.FULL:
+            return Status.FULL
+        self._show(state)
+        return Status.DONE
+
+    def _take_steps(self, state: State, target: int) -> int:
+        """Let the kernel go on to a step, or to where it needs something."""
+        assert self._team is not None
+        count = np.array([self.contacts.count], np.int64)
+        status = self._team.run(
+            forced.advance,
+            self._crowd,
+            self.settings.terms,
+            self._rule,
+            self._bath,
+            arguments.gas(state),
+            self._walls,
+            arguments.ledger(self.tallies, self.contacts, count, state),
+            self._books,
+            self._clock,
+            target,
+        )
+        self.contacts.count = int(count[0])
+        return status
+
+    def _explain(self, state: State) -> None:
+        """Say that the step is too long, before numbers turn into nonsense.
+
+        Raises
+        ------
+        DynamicsError
+            Always.
+        """
+        speed = math.sqrt(2.0 * self._books.now[2] / max(float(state.mass.sum()), 1e-300))
+        raise DynamicsError(
+            f"at time {self._time:g} a disc flew further than {self._rule.most:.3g} in one step of "
+            f"{self.time_step:g}: the time step is too long for these forces and speeds (rms speed {speed:.3g} at "
+            f"the last measurement); shorten dynamics.time_step, say to {self.time_step / 4:.2g}"
+        )
+
+    def _show(self, state: State) -> None:
+        """Energies, and the size of a box that a barostat has changed."""
+        state.potential, state.virial = float(self._books.now[0]), float(self._books.now[1])
+        self._size = self._crowd.room.size.copy()
+        if self._drive.has_barostat or np.any(self._size != self._geometry.size):
+            change = self._size - self._geometry.size
+            state.wall_displacement = np.array([0.0, change[0], 0.0, change[1]])
+            state.wall_velocity = np.zeros(4)
+
+    def forces(self, state: State) -> NDArray[np.float64]:
+        """(n, 2) float64 [mass·length/time²]: force on each particle now, in the order of the state."""
+        found = np.zeros((state.count, 2))
+        rows = self._atoms.row[: state.count]
+        found[rows, 0], found[rows, 1] = self._atoms.fx[: state.count], self._atoms.fy[: state.count]
+        return found
+
+    def memory(self) -> Memory:
+        """What goes on with the same bits.
+
+        ``forced_step``: steps done; ``position`` (n, 2): places, also outside a periodic box; ``built`` (n, 2):
+        places at which neighbours were listed; ``box`` (2,): its size; ``drive``: aims of thermostat and barostat.
+        """
+        n = int(self._crowd.room.stage[1])
+        rows = self._atoms.row[:n]
+        position, built = np.zeros((2, n, 2))
+        position[rows, 0], position[rows, 1] = self._atoms.x[:n], self._atoms.y[:n]
+        built[rows, 0], built[rows, 1] = self._atoms.bx[:n], self._atoms.by[:n]
+        return {
+            "forced_step": int(self._clock[0]),
+            "position": position,
+            "built": built,
+            "box": self._size.copy(),
+            "drive": self._drive.values.copy(),
+        }

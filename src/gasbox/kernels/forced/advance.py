@@ -1,0 +1,326 @@
+"""The step: kick, drift, look who is near, forces, kick; then thermostat, heating and barostat.
+
+A step goes through stages, so that it can stop in the middle for longer lists or for contacts to be read.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import bare_kernel, inlined_kernel
+from gasbox.kernels.arguments import DONE, FULL, Box, Gas, Ledger
+from gasbox.kernels.forced.bath import (
+    BAROSTAT,
+    EVERY,
+    LANGEVIN,
+    OFF,
+    POWER,
+    THERMOSTAT,
+    Bath,
+    factor,
+    rescale,
+    rub,
+    stretch,
+    sum_atoms,
+    sum_blocks,
+)
+from gasbox.kernels.forced.motion import drift, furthest, kick, publish, scale, show
+from gasbox.kernels.forced.push import push
+from gasbox.kernels.forced.sort import divide, lay_out, list_neighbours, sort_atoms, wrap
+from gasbox.kernels.forced.tables import BLOCK, Books, Crowd, Terms
+from gasbox.kernels.forced.walls import Walls, list_walls, push_back, turn_round
+from gasbox.kernels.team import meet, share
+
+__all__ = ["GONE", "GROW", "MOVE", "TOO_FAR", "Rule", "advance", "prepare"]
+
+GROW = 20
+"""Status: lists or slots are too short; give longer ones and call again."""
+TOO_FAR = 21
+"""Status: a disc has flown too far in one step."""
+GONE = 22
+"""Status: not all threads of the team came."""
+
+MOVE, TURN, LOOK, LIST, FORCE, LIST_AGAIN, FORCE_AGAIN = range(7)
+"""Stages of a step; the last two follow a change of the area."""
+
+
+class Rule(NamedTuple):
+    """Numbers that stay the same.
+
+    Attributes
+    ----------
+    time_step : [time]
+    skin : by which lists reach beyond the largest cutoff [length]
+    most : way in one step that is too long [length]
+    periodic_x, periodic_y : of the box
+    gx, gy : acceleration of all discs [length/time²]
+    """
+
+    time_step: float
+    skin: float
+    most: float
+    periodic_x: bool
+    periodic_y: bool
+    gx: float
+    gy: float
+
+
+@inlined_kernel
+def _box(crowd: Crowd, rule: Rule) -> Box:
+    return Box(crowd.room.size[0], crowd.room.size[1], rule.periodic_x, rule.periodic_y)
+
+
+@bare_kernel
+def _sort(crowd: Crowd, terms: Terms, rule: Rule, gas: Gas, walls: Walls | None) -> int:
+    """Bring all atoms back into the box, sort them and lay out the slots; 0, or 1 if room is short."""
+    atoms, slots, lists, strips, room = crowd
+    n, reach, box = room.stage[1], terms.reach + rule.skin, _box(crowd, rule)
+    wrap(atoms, box, 0, n)
+    if not divide(strips, box, reach):
+        return 1
+    sort_atoms(atoms, box, strips, room)
+    if walls is not None and not list_walls(walls, atoms, gas, box, n, rule.skin):
+        return 1
+    return 0 if lay_out(atoms, slots, lists, box, strips, reach) else 1
+
+
+@inlined_kernel
+def _list(crowd: Crowd, terms: Terms, rule: Rule, begin: int, end: int, thread: int, threads: int) -> int:
+    """List the neighbours of this thread's atoms; 0, or 1 if room is short."""
+    reach = terms.reach + rule.skin
+    found = list_neighbours(
+        crowd.atoms,
+        crowd.slots,
+        crowd.lists,
+        _box(crowd, rule),
+        crowd.strips,
+        reach,
+        begin,
+        end,
+        thread,
+        threads,
+    )
+    return 0 if found else 1
+
+
+@bare_kernel
+def prepare(
+    crowd: Crowd,
+    terms: Terms,
+    rule: Rule,
+    bath: Bath,
+    gas: Gas,
+    walls: Walls | None,
+    book: Ledger,
+    books: Books,
+    present: NDArray[np.float64],
+) -> int:
+    """List neighbours at the places of the atoms, put them where they are at present, and find forces and energies.
+
+    present : (n, 2) places by row of the state, for a run that goes on; empty to leave the atoms where they are
+
+    Returns
+    -------
+    DONE or GROW.
+    """
+    atoms, slots, lists, _, room = crowd
+    n = room.stage[1]
+    if _sort(crowd, terms, rule, gas, walls) or _list(crowd, terms, rule, 0, n, 0, 1):
+        return GROW
+    if present.shape[0] > 0:
+        for k in range(n):
+            atoms.x[k], atoms.y[k] = present[atoms.row[k], 0], present[atoms.row[k], 1]
+        publish(atoms, slots, 0, slots.size[0])
+    push(atoms, slots, lists, terms, rule.gx, rule.gy, True, 0, n)
+    if walls is not None and walls.strength > 0.0:
+        push_back(walls, atoms, gas, _box(crowd, rule), book, 0.0)
+    sum_blocks(atoms, room, True, 0, room.sums.shape[0])
+    sums = sum_atoms(bath, room)
+    books.now[0], books.now[1], books.now[2] = sums.potential, sums.virial, sums.kinetic
+    return DONE
+
+
+@bare_kernel
+def _end(
+    crowd: Crowd,
+    rule: Rule,
+    bath: Bath,
+    books: Books,
+    measured: bool,
+    step: int,
+    begin: int,
+    end: int,
+    thread: int,
+) -> bool:
+    """Thermostat, heating, and the books, after the last kick of step number `step`; whether the area changes."""
+    atoms, room, drive = crowd.atoms, crowd.room, bath.drive
+    n, time = room.stage[1], step * rule.time_step
+    sums = sum_atoms(bath, room)
+    by, heat, added = factor(bath, sums.thermal, n, rule.time_step, step, time)
+    if by != 1.0:
+        rescale(atoms, by, sums.ux, sums.uy, begin * BLOCK, end * BLOCK)
+    thermal = sums.thermal + heat + added
+    kinetic = sums.kinetic - sums.thermal + thermal
+    area = room.size[0] * room.size[1]
+    if thread == 0:
+        books.thermostat_heat[0] += heat + sums.heat
+        books.heater_heat[0] += added
+        if measured:
+            books.now[0], books.now[1], books.now[2] = sums.potential, sums.virial, kinetic
+        if step % EVERY == 0:
+            duration = EVERY * rule.time_step
+            books.kinetic_time[0] += thermal * duration
+            books.potential_time[0] += sums.potential * duration
+            books.pair_virial[0] += sums.virial * duration
+            books.area_time[0] += area * duration
+    if step % EVERY != 0 or drive[BAROSTAT] == 0.0:
+        return False
+    by = stretch(bath, thermal, sums.virial, n, area, EVERY * rule.time_step, step, time)
+    scale(atoms, by, begin * BLOCK, end * BLOCK)
+    if thread == 0:
+        room.before[0] = kinetic + sums.potential
+        room.before[1] = by
+    return True
+
+
+@inlined_kernel
+def _most(crowd: Crowd, threads: int) -> float:
+    """Square of the largest way of all atoms since the lists were made; no number counts as the largest."""
+    most = 0.0
+    for thread in range(threads):
+        if not crowd.room.far[thread] <= most:
+            most = crowd.room.far[thread]
+    return most
+
+
+@inlined_kernel
+def _any_full(crowd: Crowd, threads: int) -> bool:
+    full = 0
+    for thread in range(threads + 1):
+        full += crowd.room.full[thread]
+    return full > 0
+
+
+@bare_kernel
+def advance(
+    crowd: Crowd,
+    terms: Terms,
+    rule: Rule,
+    bath: Bath,
+    gas: Gas,
+    walls: Walls | None,
+    book: Ledger,
+    books: Books,
+    clock: NDArray[np.int64],
+    target: int,
+    flag: NDArray[np.int64],
+    thread: int,
+    threads: int,
+) -> int:
+    """Take whole steps until step number `target`, as one of a team of threads.
+
+    Parameters
+    ----------
+    walls : of an enclosure; None for a periodic box, for which the kernel is compiled apart
+    clock : (1,) int64, steps done; counted on here
+    target : step to stop at
+    flag : where the team meets, new for each call (`gasbox.kernels.team`)
+    thread, threads : which one of how many
+
+    Returns
+    -------
+    DONE, FULL (read the contacts, call again), GROW, TOO_FAR or GONE; the same for each thread.
+
+    Precondition: `prepare` was called since anything else was changed.
+    """
+    atoms, slots, lists, _, room = crowd
+    # What other threads may change is read before the first meeting.
+    stage, step, n = room.stage[0], clock[0], room.stage[1]
+    first, last = share(room.sums.shape[0], thread, threads)
+    begin, end = first * BLOCK, last * BLOCK
+    step_time, half = rule.time_step, 0.5 * rule.time_step
+    if not meet(flag, thread, threads):
+        return GONE
+    status = DONE
+    while step < target or stage != MOVE:
+        if stage == MOVE:
+            kick(atoms, half, begin, end)
+            if bath.drive[THERMOSTAT] == LANGEVIN:
+                drift(atoms, half, begin, end)
+                rub(atoms, bath, room, gas.id, step_time, step + 1, (step + 0.5) * step_time, first, last)
+                drift(atoms, half, begin, end)
+            else:
+                drift(atoms, step_time, begin, end)
+            stage = LOOK if walls is None else TURN
+        if stage == TURN and walls is not None:
+            meet(flag, thread, threads)
+            if thread == 0:
+                time = (step + 1) * step_time
+                room.full[threads] = turn_round(walls, atoms, gas, _box(crowd, rule), book, time)
+            meet(flag, thread, threads)
+            if room.full[threads]:
+                status = FULL
+                break
+            stage = LOOK
+        if stage == LOOK:
+            room.far[thread] = furthest(atoms, begin, end)
+            meet(flag, thread, threads)
+            most = _most(crowd, threads)
+            if not most <= (0.5 * rule.skin + rule.most) ** 2:
+                status = TOO_FAR
+                break
+            stage = LIST if most > 0.25 * rule.skin * rule.skin else FORCE
+            if stage == FORCE:
+                begin_slot, end_slot = share(slots.size[0], thread, threads)
+                publish(atoms, slots, begin_slot, end_slot)
+            meet(flag, thread, threads)
+        if stage in (LIST, LIST_AGAIN):
+            room.full[thread] = 0
+            if thread == 0:
+                room.full[threads] = _sort(crowd, terms, rule, gas, walls)
+            meet(flag, thread, threads)
+            if not room.full[threads]:
+                room.full[thread] = _list(crowd, terms, rule, begin, min(end, n), thread, threads)
+            meet(flag, thread, threads)
+            if _any_full(crowd, threads):
+                status = GROW
+                break
+            stage = FORCE if stage == LIST else FORCE_AGAIN
+        if stage == FORCE:
+            step += 1
+            measured = step % EVERY == 0 or step == target
+            push(atoms, slots, lists, terms, rule.gx, rule.gy, measured, begin, min(end, n))
+            if walls is not None and walls.strength > 0.0:
+                meet(flag, thread, threads)
+                if thread == 0:
+                    push_back(walls, atoms, gas, _box(crowd, rule), book, step_time)
+                meet(flag, thread, threads)
+            kick(atoms, half, begin, end)
+            stage = MOVE
+            if measured or bath.drive[THERMOSTAT] != OFF or bath.drive[POWER] != 0.0:
+                sum_blocks(atoms, room, measured, first, last)
+                meet(flag, thread, threads)
+                if _end(crowd, rule, bath, books, measured, step, first, last, thread):
+                    stage = LIST_AGAIN
+                meet(flag, thread, threads)
+                if stage == LIST_AGAIN and thread == 0:
+                    room.size[0] *= room.before[1]
+                    room.size[1] *= room.before[1]
+        if stage == FORCE_AGAIN:
+            push(atoms, slots, lists, terms, rule.gx, rule.gy, True, begin, min(end, n))
+            sum_blocks(atoms, room, True, first, last)
+            meet(flag, thread, threads)
+            if thread == 0:
+                sums = sum_atoms(bath, room)
+                books.barostat_work[0] += sums.kinetic + sums.potential - room.before[0]
+                books.now[0], books.now[1], books.now[2] = sums.potential, sums.virial, sums.kinetic
+            meet(flag, thread, threads)
+            stage = MOVE
+    if thread == 0:
+        room.stage[0], clock[0] = stage, step
+    if status == DONE:
+        show(atoms, gas, _box(crowd, rule), begin, min(end, n))
+    return status

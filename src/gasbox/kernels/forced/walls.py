@@ -1,0 +1,202 @@
+"""Walls under forces: discs near one are listed with it; then they turn round there, or are pushed back smoothly.
+
+A centre turns round one radius before a wall: what it would have flown beyond is mirrored, so that kinetic energy stays
+to the bit of a square root, and the step is reversible. A smooth wall pushes with the repulsive part of a Lennard-Jones
+force, (strength) 4 [(r/d)^12 - (r/d)^6] + 1 up to a distance d = 2^(1/6) r, with the radius r of the disc.
+
+All is done by one thread in the order of the atoms, and costs only who is near a wall.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.jit import bare_kernel, inlined_kernel
+from gasbox.kernels.arguments import Box, Gas, Ledger, book_hall
+from gasbox.kernels.forced.tables import Atoms
+from gasbox.kernels.hall.rebound import thermal_speeds
+from gasbox.kernels.hall.tables import (
+    FACES,
+    HIGH,
+    KIND,
+    LOW,
+    NX,
+    NY,
+    PX,
+    PY,
+    RHO,
+    RIM,
+    SIDE,
+    TEMPERATURE,
+    TX,
+    TY,
+    WALL,
+    Hall,
+)
+
+__all__ = ["Walls", "list_walls", "push_back", "turn_round", "walls"]
+
+_SMOOTH = 2.0 ** (1.0 / 6.0)
+
+
+class Walls(NamedTuple):
+    """An enclosure, and who is near which of its elements.
+
+    Attributes
+    ----------
+    hall : its tables
+    strength : of walls that push back smoothly [energy]; 0 for walls at which discs turn round
+    near : (room, 4) int32, atom, element, and the image of it along x and y
+    size : (1,) int64, rows of `near` in use
+    cursor : (1,) int64, how many of them have been looked at in this step
+    """
+
+    hall: Hall
+    strength: float
+    near: NDArray[np.int32]
+    size: NDArray[np.int64]
+    cursor: NDArray[np.int64]
+
+
+def walls(hall: Hall, strength: float, room: int) -> Walls:
+    """With room for so many discs near walls."""
+    return Walls(hall, strength, np.zeros((room, 4), np.int32), np.zeros(1, np.int64), np.zeros(1, np.int64))
+
+
+@inlined_kernel
+def _distance(hall: Hall, e: int, x: float, y: float) -> tuple[float, float, float]:
+    """Unit normal from an element to a centre at (x, y) from its place, and distance; infinite beside a side."""
+    kind = hall.kind[e, KIND]
+    if kind == SIDE:
+        foot = x * hall.shape[e, TX] + y * hall.shape[e, TY]
+        nx, ny = hall.shape[e, NX], hall.shape[e, NY]
+        height = x * nx + y * ny
+        face = hall.kind[e, FACES]
+        if face < 0 or (face == 0 and height < 0.0):
+            nx, ny, height = -nx, -ny, -height
+        if not hall.shape[e, LOW] <= foot <= hall.shape[e, HIGH]:
+            height = math.inf
+        return nx, ny, height
+    away = math.sqrt(x * x + y * y)
+    if away == 0.0:
+        return 1.0, 0.0, hall.shape[e, RHO] if kind == RIM else 0.0
+    if kind == RIM:
+        return -x / away, -y / away, hall.shape[e, RHO] - away
+    return x / away, y / away, away - hall.shape[e, RHO]
+
+
+@inlined_kernel
+def _may_touch(hall: Hall, e: int, x: float, y: float, reach: float) -> bool:
+    """Whether a centre may come within reach of an element before the lists are made anew."""
+    if hall.kind[e, KIND] == SIDE:
+        foot = x * hall.shape[e, TX] + y * hall.shape[e, TY]
+        height = abs(x * hall.shape[e, NX] + y * hall.shape[e, NY])
+        return height <= reach and hall.shape[e, LOW] - reach <= foot <= hall.shape[e, HIGH] + reach
+    _, _, height = _distance(hall, e, x, y)
+    return height <= reach
+
+
+@bare_kernel
+def list_walls(walls: Walls, atoms: Atoms, gas: Gas, box: Box, n: int, skin: float) -> bool:
+    """List who may touch a wall before the next time; False if there is too little room."""
+    hall, count = walls.hall, 0
+    across, along = 1 if box.periodic_x else 0, 1 if box.periodic_y else 0
+    wide = _SMOOTH if walls.strength > 0.0 else 1.0
+    for k in range(n):
+        reach = wide * gas.radius[atoms.row[k]] + skin
+        for e in range(hall.kind.shape[0]):
+            for image_y in range(-along, along + 1):
+                for image_x in range(-across, across + 1):
+                    x = atoms.x[k] - hall.shape[e, PX] - image_x * box.width
+                    y = atoms.y[k] - hall.shape[e, PY] - image_y * box.height
+                    if not _may_touch(hall, e, x, y, reach):
+                        continue
+                    if count == walls.near.shape[0]:
+                        return False
+                    walls.near[count, 0], walls.near[count, 1] = k, e
+                    walls.near[count, 2], walls.near[count, 3] = image_x, image_y
+                    count += 1
+    walls.size[0] = count
+    return True
+
+
+@inlined_kernel
+def _approach(walls: Walls, entry: int, atoms: Atoms, box: Box) -> tuple[int, int, float, float, float]:
+    """Atom, element, normal and distance of an entry of the list."""
+    hall = walls.hall
+    k, e = walls.near[entry, 0], walls.near[entry, 1]
+    x = atoms.x[k] - hall.shape[e, PX] - walls.near[entry, 2] * box.width
+    y = atoms.y[k] - hall.shape[e, PY] - walls.near[entry, 3] * box.height
+    nx, ny, away = _distance(hall, e, x, y)
+    return k, e, nx, ny, away
+
+
+@bare_kernel
+def turn_round(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time: float) -> int:
+    """Mirror whoever has come nearer to a wall than its radius; a thermal wall gives it a new velocity.
+
+    Twice over, since the second of two walls in a corner may send a disc back through the first.
+
+    Returns
+    -------
+    0; or 1 if the buffer of contacts is full, and this is to be called again.
+    """
+    cursor, near = walls.cursor, walls.size[0]
+    while cursor[0] < 2 * near:
+        if book.kind.shape[0] > 0 and book.rows[0] >= book.kind.shape[0]:
+            return 1
+        _mirror(walls, cursor[0] % near, cursor[0], atoms, gas, box, book, time)
+        cursor[0] += 1
+    cursor[0] = 0
+    return 0
+
+
+@inlined_kernel
+def _mirror(
+    walls: Walls, entry: int, salt: int, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time: float
+) -> None:
+    """Turn round the disc of one entry of the list, if it is too near."""
+    hall, result = walls.hall, walls.hall.result
+    k, e, nx, ny, away = _approach(walls, entry, atoms, box)
+    row, mass, number = atoms.row[k], atoms.mass[k], hall.kind[e, WALL]
+    deep = gas.radius[row] - away
+    if not deep > 0.0:
+        return
+    atoms.x[k] += 2.0 * deep * nx
+    atoms.y[k] += 2.0 * deep * ny
+    vx, vy = atoms.vx[k], atoms.vy[k]
+    vn, vt = vx * nx + vy * ny, vy * nx - vx * ny
+    if vn >= 0.0:
+        return
+    out, slide = -vn, vt
+    result[3] = result[4] = result[5] = 0.0
+    if hall.wall[number, TEMPERATURE] >= 0.0:
+        out, slide = thermal_speeds(hall, number, mass, book.id[row], time, float(salt))
+        result[4] = 0.5 * mass * (out * out + slide * slide - vn * vn - vt * vt)
+    atoms.vx[k], atoms.vy[k] = out * nx - slide * ny, out * ny + slide * nx
+    result[2] = mass * (out - vn)
+    jx, jy = mass * (atoms.vx[k] - vx), mass * (atoms.vy[k] - vy)
+    book_hall(book, gas.species[row], row, number, time, jx, jy, result)
+
+
+@bare_kernel
+def push_back(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time_step: float) -> None:
+    """Add the forces of smooth walls, and their energy; the impulse of a step is booked on the wall."""
+    hall = walls.hall
+    for entry in range(walls.size[0]):
+        k, e, nx, ny, away = _approach(walls, entry, atoms, box)
+        row = atoms.row[k]
+        r = gas.radius[row]
+        if away >= _SMOOTH * r:
+            continue
+        s2 = (r / away) ** 2
+        s6 = s2 * s2 * s2
+        force = walls.strength * 24.0 * s6 * (2.0 * s6 - 1.0) / away
+        atoms.fx[k] += force * nx
+        atoms.fy[k] += force * ny
+        atoms.u[k] += walls.strength * (4.0 * s6 * (s6 - 1.0) + 1.0)
+        book.wall_impulse[hall.kind[e, WALL], gas.species[row]] += force * time_step
