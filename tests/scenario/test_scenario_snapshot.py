@@ -29,7 +29,6 @@ FORCED = {
     "forced_step": 20,
     "position": [[1, 2]],
     "built": [[1, 2]],
-    "order": [0],
     "box": [40, 30],
     "drive": [0.3, 0.0],
 }
@@ -57,8 +56,6 @@ def test_a_snapshot_that_fits(memory):
         ("memory.forced_step", {**FORCED, "forced_step": 0.5}),
         ("memory.position", {**FORCED, "position": [[1, 2], [3, 4]]}),
         ("memory.built", {**FORCED, "built": [[1, 2, 3]]}),
-        ("memory.order", {**FORCED, "order": [0, 1]}),
-        ("memory.order", {**FORCED, "order": [0.5]}),
         ("memory.box", {**FORCED, "box": [40]}),
         ("memory.drive", {**FORCED, "drive": 3}),
         ("memory.drive", {key: value for key, value in FORCED.items() if key != "drive"}),

@@ -80,8 +80,6 @@ def _memory(memory: dict[str, Any], particles: int, walls: int) -> Iterator[Prob
             yield Problem(path, f"the shape {list(found.shape)}", f"must have the shape {list(shape)}")
         elif name in _COUNTS and (found.dtype.kind != "i" or abs(int(found)) > _MOST):
             yield Problem(path, short(memory[name]), "must be a whole number")
-        elif name == "order" and found.size and found.dtype.kind != "i":
-            yield Problem(path, short(found.tolist()), "must be whole numbers")
         elif name == "epoch_length" and not found > 0:
             yield Problem(path, short(memory[name]), "must be greater than 0")
 
@@ -95,7 +93,7 @@ def _shapes(memory: dict[str, Any], particles: int, walls: int) -> dict[str, tup
     if "step" in memory:
         shapes["step"] = ()
     if "forced_step" in memory:
-        shapes |= {"forced_step": (), "position": vectors, "built": vectors, "order": row, "box": (2,)}
+        shapes |= {"forced_step": (), "position": vectors, "built": vectors, "box": (2,)}
         shapes["drive"] = None
     if "walls" in memory:
         shapes["walls"] = (walls, _OF_WALL)
