@@ -11,7 +11,7 @@ import numpy as np
 from gasbox.errors import UsageError
 from gasbox.geometry import Enclosure, Geometry, Rectangle, Wall
 from gasbox.scenario import Scenario, parse
-from gasbox.state import Change, MoveWall, SetGravity, SetWall, State, Tallies
+from gasbox.state import Change, Control, MoveWall, SetGravity, SetWall, State, Tallies
 
 
 class FakeClock:
@@ -73,7 +73,7 @@ class FreeFlight:
             self._clock.now += step * self._cost + self._overhead
 
     def apply(self, change: Change) -> None:
-        """Gravity is shown but not felt; walls jump to where they are moved."""
+        """Gravity is shown but not felt, nor is heat; walls jump to where they are moved."""
         self.geometry = changed(self.geometry, change)
         if isinstance(change, MoveWall):
             if not self.state.wall_displacement.size:
@@ -86,6 +86,8 @@ class FreeFlight:
 
 
 def changed(geometry: Geometry, change: Change) -> Geometry:
+    if isinstance(change, Control):
+        return geometry
     if isinstance(geometry, Rectangle):
         geometry = Enclosure(geometry, walls=tuple(Wall(name) for name in geometry.wall_names))
     match change:
@@ -97,7 +99,7 @@ def changed(geometry: Geometry, change: Change) -> Geometry:
             said = {"present": change.present, "temperature": change.temperature}
             wanted = {key: value for key, value in said.items() if value is not None}
             return geometry.with_wall(geometry.wall_names.index(name), **wanted)
-        case MoveWall():
+        case _:
             return geometry
 
 

@@ -19,6 +19,11 @@ def walled(counts: tuple[int, ...] = (30, 20), **settings: Any) -> Scenario:
     return gas(counts, **{"container": BOX, **settings})
 
 
+def matter(**settings: Any) -> Scenario:
+    """Discs with forces in a periodic box of 60 x 40."""
+    return gas((200,), **{"dynamics": {"kind": "forced", "time_step": 0.005}, **settings})
+
+
 def sample(simulation: FreeFlight, version: int = 1) -> Sample:
     """As a session would copy it."""
     return Sample(
@@ -33,6 +38,8 @@ def sample(simulation: FreeFlight, version: int = 1) -> Sample:
         shown_fps=0.0,
         keeping_up=True,
         speed_reached=None,
+        changes=tuple(simulation.changes),
+        frame_interval=simulation.frame_interval,
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,9 +12,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
+from gasbox.app.look import COLORINGS
 from gasbox.app.protocol import WireFrame, decode_frame, encode_frame, notice, table
 from gasbox.app.sample import Followed
 from gasbox.geometry import Rectangle
+from gasbox.scenario import Species
 
 pytestmark = pytest.mark.small
 
@@ -25,6 +28,7 @@ def wire_frames(draw: st.DrawFn) -> WireFrame:
     row = draw(st.integers(0, n - 1)) if n and draw(st.booleans()) else None
     species = draw(arrays.arrays(np.uint8, n))
     pair = st.tuples(small, small)
+    coloring = draw(st.sampled_from(COLORINGS))
     return WireFrame(
         generation=draw(st.integers(0, 2**32 - 1)),
         number=draw(st.integers(0, 2**32 - 1)),
@@ -40,6 +44,9 @@ def wire_frames(draw: st.DrawFn) -> WireFrame:
         else Followed(draw(st.integers(0, 2**32 - 1)), int(species[row]), draw(pair), draw(pair)),
         row=row or 0,
         temperature=draw(small),
+        coloring=coloring,
+        shades=None if coloring == "species" else draw(arrays.arrays(np.uint8, n)),
+        bonds=draw(st.booleans()),
         displacement=draw(arrays.arrays(np.float32, st.integers(0, 6), elements=small)),
     )
 
@@ -47,15 +54,27 @@ def wire_frames(draw: st.DrawFn) -> WireFrame:
 @given(wire_frames())
 def test_what_is_encoded_is_decoded(frame: WireFrame) -> None:
     back = decode_frame(encode_frame(frame))
-    for name in ("generation", "number", "time", "width", "height", "playing", "followed", "temperature"):
+    for name in (
+        "generation",
+        "number",
+        "time",
+        "width",
+        "height",
+        "playing",
+        "followed",
+        "temperature",
+        "coloring",
+        "bonds",
+    ):
         assert getattr(back, name) == getattr(frame, name)
     np.testing.assert_array_equal(back.position, frame.position)
     np.testing.assert_array_equal(back.species, frame.species)
     np.testing.assert_array_equal(back.displacement, frame.displacement)
-    if frame.highlight is None:
-        assert back.highlight is None
-    else:
-        np.testing.assert_array_equal(back.highlight, frame.highlight)
+    for name in ("highlight", "shades"):
+        if getattr(frame, name) is None:
+            assert getattr(back, name) is None
+        else:
+            np.testing.assert_array_equal(getattr(back, name), getattr(frame, name))
 
 
 @given(wire_frames(), st.data())
@@ -85,28 +104,33 @@ def test_the_bytes_are_those_of_the_description() -> None:
         row=1,
         temperature=0.25,
         displacement=np.array([0, -7, 0, 0], np.float32),
+        coloring="neighbours",
+        shades=np.array([6, 5, 7], np.uint8),
+        bonds=True,
     )
     message = encode_frame(frame)
-    assert message[:4] == bytes([2, 7, 64, 0])
+    assert message[:4] == bytes([3, 15, 68, 0])
     assert struct.unpack_from("<III", message, 4) == (7, 11, 3)
     assert struct.unpack_from("<d", message, 16) == (2.5,)
     assert struct.unpack_from("<ff", message, 24) == (60.0, 40.0)
     assert struct.unpack_from("<IIffff", message, 32) == (1, 21, 3.0, 4.0, 0.5, -0.5)
     assert struct.unpack_from("<fI", message, 56) == (0.25, 4)
-    assert struct.unpack_from("<4f", message, 64) == (0, -7, 0, 0)
-    assert struct.unpack_from("<6f", message, 80) == (1, 2, 3, 4, 5, 6)
-    assert message[104:] == bytes([0, 1, 2, 0b101])
+    assert message[64:68] == bytes([2, 0, 0, 0])
+    assert struct.unpack_from("<4f", message, 68) == (0, -7, 0, 0)
+    assert struct.unpack_from("<6f", message, 84) == (1, 2, 3, 4, 5, 6)
+    assert message[108:] == bytes([0, 1, 2, 6, 5, 7, 0b101])
 
 
-def test_a_disc_takes_nine_bytes() -> None:
+def test_a_disc_takes_nine_bytes_and_one_more_for_a_shade() -> None:
     many = WireFrame(0, 0, 0.0, 1.0, 1.0, True, np.zeros((1000, 2), np.float32), np.zeros(1000, np.uint8))
-    assert len(encode_frame(many)) == 64 + 9 * 1000
+    assert len(encode_frame(many)) == 68 + 9 * 1000
+    shaded = replace(many, coloring="speed", shades=np.zeros(1000, np.uint8))
+    assert len(encode_frame(shaded)) == 68 + 10 * 1000
 
 
 def test_the_table_says_what_does_not_change() -> None:
-    message = json.loads(
-        table(3, Rectangle(60.0, 40.0, True, False), ["a", "b"], [1.0, 2.5], ["#f00", "#0f0"])
-    )
+    species = [Species(name="a", radius=1.0, color="#ff0000"), Species(name="b", radius=2.5, color="#00ff00")]
+    message = json.loads(table(3, Rectangle(60.0, 40.0, True, False), species))
     plain = {"line": "solid", "temperature": None, "motion": None, "present": True}
     assert message == {
         "kind": "table",
@@ -116,8 +140,8 @@ def test_the_table_says_what_does_not_change() -> None:
         "obstacles": [],
         "gravity": [0.0, 0.0],
         "species": [
-            {"name": "a", "radius": 1.0, "color": "#f00"},
-            {"name": "b", "radius": 2.5, "color": "#0f0"},
+            {"name": "a", "radius": 1.0, "color": "#ff0000", "reach": 3.0},
+            {"name": "b", "radius": 2.5, "color": "#00ff00", "reach": 7.5},
         ],
     }
 

@@ -13,6 +13,7 @@ from playwright.sync_api import Browser, Page
 from gasbox.app.protocol import WireFrame, encode_frame, table
 from gasbox.app.sample import Followed
 from gasbox.geometry import Enclosure, Polygon, Post, Rectangle, Segment, Wall
+from gasbox.scenario import Species
 
 pytestmark = pytest.mark.browser
 
@@ -20,7 +21,8 @@ DECODE = """async (text) => {
   const { decodeFrame } = await import("/core/protocol.js");
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const frame = decodeFrame(bytes.buffer);
-  for (const key of ["position", "species", "highlight", "displacement"]) frame[key] &&= Array.from(frame[key]);
+  const arrays = ["position", "species", "shades", "highlight", "displacement"];
+  for (const key of arrays) frame[key] &&= Array.from(frame[key]);
   return frame;
 }"""
 
@@ -59,6 +61,9 @@ def test_frames_of_any_length(page: Page, count: int) -> None:
         row=0,
         temperature=0.75,
         displacement=np.array([0.5, -2.0], np.float32),
+        coloring="speed",
+        shades=random.integers(0, 256, count, np.uint8),
+        bonds=True,
     )
     seen = decoded(page, encode_frame(frame))
     assert seen == {
@@ -73,6 +78,9 @@ def test_frames_of_any_length(page: Page, count: int) -> None:
         "displacement": [0.5, -2.0],
         "position": frame.position.ravel().tolist(),
         "species": frame.species.tolist(),
+        "coloring": 3,
+        "shades": frame.shades.tolist(),  # type: ignore[union-attr]
+        "bonds": True,
         "highlight": np.packbits(frame.highlight, bitorder="little").tolist(),  # type: ignore[arg-type]
         "followed": {"row": 0, "id": 3_000_000_000, "x": 1.5, "y": 2.5, "vx": -0.5, "vy": 0.25},
     }
@@ -82,9 +90,10 @@ def test_nothing_optional(page: Page) -> None:
     bare = WireFrame(1, 2, 3.0, 4.0, 5.0, False, np.zeros((1, 2), np.float32), np.zeros(1, np.uint8))
     seen = decoded(page, encode_frame(bare))
     assert (seen["playing"], seen["highlight"], seen["followed"]) == (False, None, None)
+    assert (seen["coloring"], seen["shades"], seen["bonds"]) == (0, None, False)
 
 
-@pytest.mark.parametrize("message", [b"", b"\x02" + bytes(55), b"\x01" + bytes(99), bytes(100)])
+@pytest.mark.parametrize("message", [b"", b"\x03" + bytes(55), b"\x02" + bytes(99), bytes(100)])
 def test_what_is_no_frame_is_refused(page: Page, message: bytes) -> None:
     with pytest.raises(Exception, match="not a frame"):
         decoded(page, message)
@@ -96,15 +105,16 @@ def test_a_frame_cut_short_is_refused(page: Page) -> None:
         decoded(page, encode_frame(bare)[:-1])
 
 
+SPECIES = [Species(name="a", radius=1.0, color="#ff0000"), Species(name="b", radius=2.5, color="#00ff00")]
 DECODE_TABLE = """async (text) => {
   const { decodeTable } = await import("/core/protocol.js");
   const table = decodeTable(JSON.parse(text));
-  return { ...table, radii: Array.from(table.radii) };
+  return { ...table, radii: Array.from(table.radii), reaches: Array.from(table.reaches) };
 }"""
 
 
 def test_the_table(page: Page) -> None:
-    text = table(7, Rectangle(60.0, 40.0, True, False), ["a", "b"], [1.0, 2.5], ["#ff0000", "#00ff00"])
+    text = table(7, Rectangle(60.0, 40.0, True, False), SPECIES)
     seen = page.evaluate(DECODE_TABLE, text)
     wanted = {
         "generation": 7,
@@ -118,6 +128,7 @@ def test_the_table(page: Page) -> None:
         "names": ["a", "b"],
         "colors": ["#ff0000", "#00ff00"],
         "radii": [1, 2.5],
+        "reaches": [3, 7.5],
     }
     assert {key: seen[key] for key in wanted} == wanted
     assert [side["out"] for side in seen["sides"]] == [[-1, 0], [1, 0], [0, -1], [0, 1]]
@@ -133,7 +144,7 @@ def test_the_table_of_other_surroundings(page: Page) -> None:
         Wall("post"),
     )
     geometry = Enclosure(triangle, (Segment((1, 1), (1, 3)), Post((2, 2), 0.5)), walls, (0.0, -0.25))
-    seen = page.evaluate(DECODE_TABLE, table(8, geometry, ["a"], [1.0], ["#ff0000"]))
+    seen = page.evaluate(DECODE_TABLE, table(8, geometry, SPECIES[:1]))
     assert (seen["shape"], seen["width"], seen["height"], seen["gravity"]) == ("polygon", 8, 6, [0, -0.25])
     assert [side["wall"]["name"] for side in seen["sides"]] == ["floor", "slope", "left"]
     assert seen["sides"][1]["out"] == pytest.approx([0.6, 0.8])

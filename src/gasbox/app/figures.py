@@ -27,6 +27,8 @@ class Figures:
     pressure_route : how it was measured, ``walls`` or ``virial``
     pressure_ideal, pressure_discs : what theory says, for points and for hard discs
     collision_rate : pairs that collided per time, lately [1/time]
+    potential : of the forces between discs [energy]
+    density : discs per area [1/length²]
     """
 
     time: float
@@ -38,6 +40,8 @@ class Figures:
     pressure_ideal: float | None
     pressure_discs: float | None
     collision_rate: float | None
+    potential: float
+    density: float | None
 
 
 def figures(sample: Sample, lately: Lately | None) -> Figures:
@@ -57,7 +61,14 @@ def figures(sample: Sample, lately: Lately | None) -> Figures:
         collision_rate=float(lately.change.pair_collisions.sum()) / lately.duration
         if lately and moved
         else None,
+        potential=sample.state.potential,
+        density=_density(sample),
     )
+
+
+def _density(sample: Sample) -> float | None:
+    area = sample.geometry.at(sample.state.wall_displacement).area
+    return sample.state.count / area if area > 0.0 else None
 
 
 def _counts(sample: Sample) -> np.ndarray[tuple[int], np.dtype[np.int64]]:

@@ -16,6 +16,8 @@ from gasbox.app.dialogs import keys_dialog
 from gasbox.app.figures import Figures, figures
 from gasbox.app.files import Files
 from gasbox.app.header import Actions, Header
+from gasbox.app.look_control import LookControl
+from gasbox.app.matter import Matter
 from gasbox.app.panel import Panel
 from gasbox.app.readouts import Readouts
 from gasbox.app.sample import Sample
@@ -87,10 +89,13 @@ class Page:
         with ui.element("main").classes("lab") as self._lab:
             with ui.element("div").classes("stage"):
                 self.caption = Caption(lambda: self.session.follow(None))
+                with self.caption.root:
+                    self.looks = LookControl(self.session)
                 self.stage = Stage(self.session, self.session.follow)
                 self.surroundings = Surroundings(self.session)
+                self.matter = Matter(self.surroundings.send)
                 self.transport = Transport(self.session)
-                self.readouts = Readouts()
+                self.readouts = Readouts(scenario)
             with ui.element("div").classes("charts"):
                 self.chart_settings = ChartSettings(
                     choice, lambda: self.charts, self._redraw, lambda: self.studies
@@ -102,14 +107,16 @@ class Page:
         self._arrange()
 
     def _listen(self) -> None:
-        keys = [key for shortcut in SHORTCUTS for key in shortcut.keys]
-        settings = json.dumps({"keys": keys, "upload": self.files.upload.id})
+        keys = [key for shortcut in SHORTCUTS for key in shortcut.keys if not shortcut.holds]
+        holds = {key: shortcut.holds for shortcut in SHORTCUTS for key in shortcut.keys if shortcut.holds}
+        settings = json.dumps({"keys": keys, "holds": holds, "upload": self.files.upload.id})
         ui.add_css(_ASSETS / "page.css")
         ui.add_body_html(
             f"<script>window.gasboxPage = {settings};\n{(_ASSETS / 'page.js').read_text()}</script>"
         )
         ui.label("Drop a scenario or a snapshot here").classes("drop-hint").props('aria-hidden="true"')
         ui.on("gasbox_key", lambda event: self.press(str(event.args)))
+        ui.on("gasbox_hold", lambda event: self.matter.hold(str(event.args)))
         ui.on("gasbox_visible", self._seen)
 
     def _arrange(self) -> None:
@@ -132,6 +139,7 @@ class Page:
     async def _update(self) -> None:
         sample = self.session.sample()
         self.transport.refresh()
+        self.looks.show()
         if sample is None:
             return
         self.stage.settle()
@@ -148,6 +156,7 @@ class Page:
         if measured is not None and sample.version == self._version:
             numbers, counts = measured
             self.readouts.show(numbers, sample)
+            self.matter.show(sample, numbers)
             self.charts.show(counts, numbers.temperature)
             if self._show_charts and self._beats % 2:
                 self.studies.show()
@@ -219,6 +228,8 @@ class Page:
                 "edit": self.panel.toggle,
                 "gravity": self.surroundings.toggle_gravity,
                 "divider": self.surroundings.toggle_divider,
+                "coloring": self.looks.next_coloring,
+                "bonds": self.looks.toggle_bonds,
                 "unfollow": lambda: self.session.follow(None),
                 "keys": self._keys.open,
             }[action]()

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.app import protocol
+from gasbox.app.look import Look
 from gasbox.app.sample import Bin, Followed
 from gasbox.geometry import Enclosure
 from gasbox.observe import temperature
@@ -20,14 +21,7 @@ __all__ = ["find", "frame", "lit", "table"]
 
 def table(simulation: Simulation, generation: int) -> str:
     """The text message with the surroundings and the species."""
-    species = simulation.scenario.species
-    return protocol.table(
-        generation,
-        simulation.geometry,
-        [one.name for one in species],
-        [float(one.radius) for one in species],
-        [str(one.color) for one in species],
-    )
+    return protocol.table(generation, simulation.geometry, simulation.scenario.species)
 
 
 def frame(
@@ -38,8 +32,10 @@ def frame(
     playing: bool,
     light: Bin | None,
     followed_id: int | None,
+    look: Look,
+    shades: NDArray[np.uint8] | None,
 ) -> bytes:
-    """The binary message with all discs as they are now."""
+    """The binary message with all discs as they are now; `shades` (n,) are what `look` asks for."""
     state, geometry = simulation.state, simulation.geometry
     followed, row = find(simulation, followed_id)
     return protocol.encode_frame(
@@ -57,6 +53,9 @@ def frame(
             row=row,
             temperature=_warmth(simulation),
             displacement=state.wall_displacement.astype(np.float32),
+            coloring=look.coloring,
+            shades=shades,
+            bonds=look.bonds,
         )
     )
 

@@ -1,14 +1,18 @@
-"""Compiling the kernels in the background, while the page is already there and says so."""
+"""Before a gas moves: compiling the kernels in the background, while the page is already there, and making the gas."""
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from gasbox.errors import DynamicsError
+from gasbox.scenario import Scenario
 
-__all__ = ["Preparation"]
+if TYPE_CHECKING:
+    from gasbox.simulation import Simulation
+
+__all__ = ["Preparation", "simulate"]
 
 Progress = Callable[[int, int, str], None]
 
@@ -17,6 +21,15 @@ def _compile(progress: Progress | None) -> Any:
     from gasbox.build import compile_kernels
 
     return compile_kernels(progress)
+
+
+def simulate(scenario: Scenario) -> Simulation:
+    """The gas of a scenario; once the kernels are compiled."""
+    # Imported here: numba and the kernels come in while the page is already being served.
+    from gasbox.simulation import Simulation
+
+    # One thread: the other processors are for the frames, the charts and the browser.
+    return Simulation(scenario, threads=1)
 
 
 class Preparation:

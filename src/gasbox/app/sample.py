@@ -7,7 +7,7 @@ from typing import Literal
 
 from gasbox.geometry import Geometry
 from gasbox.scenario import Scenario
-from gasbox.state import State, Tallies
+from gasbox.state import Change, State, Tallies
 
 __all__ = ["Bin", "Followed", "Quantity", "Sample"]
 
@@ -30,6 +30,8 @@ class Sample:
     shown_fps : frames that the browser drew per second, lately; 0 if nothing was drawn
     keeping_up : whether the engine reaches the speed that was asked for
     speed_reached : frames of simulated time per second, lately, in units of 60; None before it was measured
+    changes : what was changed so far, and when [time]
+    frame_interval : of one frame [time]
     """
 
     version: int
@@ -44,6 +46,8 @@ class Sample:
     keeping_up: bool
     speed_reached: float | None
     warnings: tuple[str, ...] = ()
+    changes: tuple[tuple[float, Change], ...] = ()
+    frame_interval: float = 1.0
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,10 @@ from concurrent.futures import Future
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from gasbox.app.audience import Audience
+from gasbox.app.look import Look
 from gasbox.app.mailbox import Mailbox
 from gasbox.app.pace import SPEED_LIMITS
+from gasbox.app.preparation import simulate
 from gasbox.app.sample import Bin, Followed, Quantity, Sample
 from gasbox.app.show import Show, Wishes
 from gasbox.app.worker import Worker, outcome
@@ -28,14 +30,6 @@ if TYPE_CHECKING:
 __all__ = ["Session"]
 
 _T = TypeVar("_T")
-
-
-def _simulate(scenario: Scenario) -> Simulation:
-    # Imported here: numba and the kernels come in while the page is already being served.
-    from gasbox.simulation import Simulation
-
-    # One thread: the other processors are for the frames, the charts and the browser.
-    return Simulation(scenario, threads=1)
 
 
 class Session:
@@ -57,7 +51,7 @@ class Session:
         unwatched: bool = False,
         prepare: Callable[[], None] = lambda: None,
         admit: Callable[[Session], None] = lambda _: None,
-        simulate: Callable[[Scenario], Simulation] = _simulate,
+        simulate: Callable[[Scenario], Simulation] = simulate,
     ) -> None:
         self.id = secrets.token_urlsafe(16)
         self.origin = scenario
@@ -72,8 +66,6 @@ class Session:
         self._show = Show(self._wishes, self.audience, unwatched)
         self._worker: Worker | None = None
         self._lock = threading.Lock()
-
-    # -- what it is --------------------------------------------------------------------------------------
 
     @property
     def scenario(self) -> Scenario:
@@ -109,6 +101,11 @@ class Session:
     def watched(self) -> bool:
         """Whether a browser shows the frames: connected, visible, acks arriving."""
         return self.audience.watching
+
+    @property
+    def look(self) -> Look:
+        """How discs are shown."""
+        return self._wishes.look
 
     # -- orders ------------------------------------------------------------------------------------------
 
@@ -218,6 +215,11 @@ class Session:
         self._wishes.light = None
         self._order(self._show.publish)
 
+    def dress(self, look: Look) -> None:
+        """Show discs in another way."""
+        self._wishes.look = look
+        self._order(self._show.publish)
+
     def follow(self, particle_id: int | None) -> None:
         """Follow one disc, or none; an id that does not exist is none."""
         self._wishes.followed_id = particle_id
@@ -264,8 +266,7 @@ class Session:
         simulation = outcome(self._order(lambda: self._show.simulation))
         self.close()
         heir._scenario, heir.charts = self._scenario, self.charts
-        heir._wishes.playing, heir._wishes.speed = self.playing, self.speed
-        heir._wishes.followed_id = self._wishes.followed_id
+        heir._wishes.inherit(self._wishes)
         heir.start(simulation)
 
     def close(self) -> None:
@@ -286,11 +287,11 @@ class Session:
         return nothing
 
     def _begin(self, simulation: Simulation | None) -> None:
-        self._show.attempt(self._make_first if simulation is None else lambda: simulation)
+        def make() -> Simulation:
+            self._prepare()
+            return self._simulate(self._scenario)
 
-    def _make_first(self) -> Simulation:
-        self._prepare()
-        return self._simulate(self._scenario)
+        self._show.attempt(make if simulation is None else lambda: simulation)
 
     def _install(self, simulation: Simulation, scenario: Scenario) -> None:
         self._scenario = scenario

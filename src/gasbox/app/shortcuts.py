@@ -11,13 +11,15 @@ __all__ = ["SHORTCUTS", "Shortcut", "action_of"]
 class Shortcut:
     """One row of the list of keys: the action, the browser's names of its keys, and how people read them.
 
-    A row without keys is only shown: the box itself listens to them.
+    A row without keys is only shown: the box itself listens to them. One that `holds` something acts while its key is
+    down.
     """
 
     action: str
     keys: tuple[str, ...]
     shown: tuple[str, ...]
     meaning: str
+    holds: str = ""
 
 
 SHORTCUTS: tuple[Shortcut, ...] = (
@@ -31,7 +33,11 @@ SHORTCUTS: tuple[Shortcut, ...] = (
     Shortcut("edit", ("e", "E"), ("E",), "edit the gas"),
     Shortcut("theory", ("t", "T"), ("T",), "theory curves on or off"),
     Shortcut("gravity", ("g", "G"), ("G",), "gravity on or off"),
+    Shortcut("heat", ("h", "H"), ("H",), "heat, while it is held down (matter with forces)", "heat"),
+    Shortcut("cool", ("f", "F"), ("F",), "cool, while it is held down", "cool"),
     Shortcut("divider", ("d", "D"), ("D",), "take the first divider away, or put it back"),
+    Shortcut("coloring", ("c", "C"), ("C",), "colour discs by species, phase, neighbours or speed"),
+    Shortcut("bonds", ("b", "B"), ("B",), "join neighbours by lines, or not"),
     Shortcut("unfollow", ("Escape",), ("Esc",), "stop following a particle"),
     Shortcut("whole", (), ("0",), "see the whole box again (or double click)"),
     Shortcut("keys", ("?",), ("?",), "this list"),
@@ -41,4 +47,4 @@ SHORTCUTS: tuple[Shortcut, ...] = (
 
 def action_of(key: str) -> str | None:
     """The action of a key by the browser's name, or None."""
-    return next((shortcut.action for shortcut in SHORTCUTS if key in shortcut.keys), None)
+    return next((one.action for one in SHORTCUTS if key in one.keys), None)

@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING
 
 from gasbox.app import picture, protocol, reins
 from gasbox.app.audience import Audience
+from gasbox.app.look import Look
 from gasbox.app.motion import Motion
 from gasbox.app.sample import Bin, Followed, Sample
+from gasbox.app.shading import Shading
 from gasbox.errors import GasboxError, UsageError
 from gasbox.geometry import Geometry
 from gasbox.state import Change
@@ -32,6 +34,12 @@ class Wishes:
     followed_id: int | None = None
     hands: dict[int, float] = field(default_factory=dict)
     """Where hands are that have just moved a wall: index of the wall -> displacement [length]."""
+    look: Look = field(default_factory=Look)
+
+    def inherit(self, wishes: Wishes) -> None:
+        """Take over what was asked for on an earlier load of the page."""
+        self.playing, self.speed, self.look = wishes.playing, wishes.speed, wishes.look
+        self.followed_id = wishes.followed_id
 
 
 class Show:
@@ -60,6 +68,7 @@ class Show:
         self._motion: Motion | None = None
         self._generation = 0
         self._geometry: Geometry | None = None
+        self._shading = Shading()
 
     @property
     def simulation(self) -> Simulation:
@@ -77,6 +86,7 @@ class Show:
     def install(self, simulation: Simulation) -> None:
         """Show this gas from now on."""
         self._motion = Motion(simulation, self._wishes.speed)
+        self._shading.begin(simulation)
         self.version += 1
         self.running = False
         self.trouble = None
@@ -206,6 +216,8 @@ class Show:
                     playing=wishes.playing,
                     light=wishes.light,
                     followed_id=wishes.followed_id,
+                    look=wishes.look,
+                    shades=self._shading.of(simulation, wishes.look.coloring, exact=not wishes.playing),
                 )
             )
 
@@ -224,4 +236,6 @@ class Show:
             keeping_up=motion.keeping_up,
             speed_reached=motion.speed_reached,
             warnings=tuple(simulation.warnings),
+            changes=tuple(simulation.changes),
+            frame_interval=simulation.frame_interval,
         )

@@ -20,7 +20,7 @@ class Caption:
     """The sentence above the box, warnings, and the followed particle."""
 
     def __init__(self, unfollow: Callable[[], None]) -> None:
-        with ui.element("div").classes("caption"):
+        with ui.element("div").classes("caption") as self.root:
             self._watch = ui.label().classes("watch").mark("watch-for")
             with ui.element("div").classes("followed").mark("followed") as self._followed:
                 self._dot = ui.element("span").classes("dot")

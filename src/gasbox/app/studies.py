@@ -10,17 +10,19 @@ from nicegui.events import ValueChangeEventArguments
 
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
+from gasbox.app.studies_of_matter import Order, Pairs, Wandering
 from gasbox.app.studies_of_profiles import Density, Temperature
 from gasbox.app.studies_of_walls import Pressures, Work
 from gasbox.app.studies_over_time import Centers, Energy, Flow, Mixing, Sides
 from gasbox.app.study import Study
 from gasbox.app.study_chart import StudyChart
+from gasbox.app.study_of_heating import Heating
 from gasbox.app.window import Lately
 
 __all__ = ["STUDIES", "Studies", "StudyMenu"]
 
 STUDIES: Final[tuple[type[Study], ...]] = (
-    Density, Work, Sides, Flow, Temperature, Mixing, Energy, Pressures, Centers,
+    Heating, Order, Pairs, Density, Work, Sides, Flow, Temperature, Mixing, Energy, Wandering, Pressures, Centers,
 )  # fmt: skip
 """In the order in which they are shown, and in which they are taken where nobody has chosen."""
 _BY_ITSELF: Final = 2

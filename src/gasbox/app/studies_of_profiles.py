@@ -36,8 +36,8 @@ class AlongAxis:
         self._sample: Sample | None = None
 
     def suits(self, sample: Sample) -> bool:
-        """See `gasbox.app.study.Study`."""
-        return True
+        """The box keeps its size: a barostat stretches it, and each place with it."""
+        return sample.geometry.is_walled or not sample.state.wall_displacement.size
 
     def take(self, sample: Sample, lately: Lately | None) -> None:
         """See `gasbox.app.study.Study`. After a change of gravity or of a wall, the average begins anew."""

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import itertools
+from dataclasses import replace
+
 import numpy as np
 
 from gasbox.app.directions import axis_of
 from gasbox.app.history import History
 from gasbox.app.sample import Sample
-from gasbox.app.study import INK, Axis, Picture, Trace
+from gasbox.app.study import INK, PALETTE, Axis, Picture, Trace
 from gasbox.app.window import Lately
-from gasbox.geometry import Enclosure, Segment, side_count
+from gasbox.geometry import Enclosure, Rectangle, Segment, side_count
 from gasbox.observe import (
     Line,
     center_of_mass,
@@ -94,7 +97,7 @@ def _species(sample: Sample) -> list[tuple[str, str | None]]:
 
 
 class Energy(OverTime):
-    """What the gas has, and what moving and thermal walls have given it."""
+    """What the gas has, and what walls, a thermostat, heating and a barostat have given it."""
 
     name, title, unit = "energy", "Energy, work and heat", f"energy  ({UNIT['energy']})"
 
@@ -106,27 +109,39 @@ class Energy(OverTime):
         )
 
     def row(self, sample: Sample, lately: Lately | None) -> tuple[float, ...]:
-        """Kinetic, potential, work, heat, carried away."""
+        """Kinetic, potential, both; then what was given, one after the other."""
         tallies = sample.tallies
+        kinetic = kinetic_energy(sample.state)
+        potential = potential_energy(sample.state, sample.geometry)
         return (
-            kinetic_energy(sample.state),
-            potential_energy(sample.state, sample.geometry),
+            kinetic,
+            potential,
+            kinetic + potential if potential else 0.0,
             float(tallies.wall_work.sum()),
             float(tallies.wall_heat.sum()),
             float(tallies.wall_carried.sum()),
+            float(tallies.thermostat_heat[0]),
+            float(tallies.heater_heat[0]),
+            float(tallies.barostat_work[0]),
         )
 
     def curves(self, sample: Sample) -> list[tuple[str, str | None]]:
-        """All five; those that are always zero are left out by `picture`."""
-        names = ("kinetic", "potential", "work of walls", "heat of walls", "carried away")
-        return [(name, None) for name in names]
+        """All of them; those that are always zero are left out by `picture`."""
+        had = ("kinetic", "potential", "total")
+        given = ("work of walls", "heat of walls", "carried away")
+        baths = ("heat of thermostat", "heating", "work of barostat")
+        return [(name, None) for name in (*had, *given, *baths)]
 
     def picture(self) -> Picture | None:
         """Without what is always zero."""
         whole = super().picture()
         if whole is None:
             return None
-        told = [trace for trace in whole.traces if trace.name == "kinetic" or np.any(trace.points[:, 1])]
+        told = [
+            replace(trace, color=color)
+            for trace, color in zip(whole.traces, itertools.cycle(PALETTE), strict=False)
+            if trace.name == "kinetic" or np.any(trace.points[:, 1])
+        ]
         return Picture(whole.x, whole.y, told, whole.fact)
 
 
@@ -163,7 +178,8 @@ def divider(sample: Sample) -> tuple[Line, int | None]:
                 moved = sample.state.wall_displacement
                 way = float(moved[number]) if moved.size else 0.0
                 return Line.of_segment(obstacle.start, obstacle.end, way), number
-    return Line((0.5 * geometry.width, 0.0), (1.0, 0.0)), None
+    box = geometry.at(sample.state.wall_displacement) if isinstance(geometry, Rectangle) else geometry
+    return Line((0.5 * box.width, 0.0), (1.0, 0.0)), None
 
 
 def _is_divided(sample: Sample) -> bool:

@@ -12,12 +12,15 @@ from gasbox.app.sample import Sample
 from gasbox.app.window import Lately
 from gasbox.scenario import Scenario
 
-__all__ = ["INK", "PALETTE", "Axis", "Picture", "Study", "Trace", "radii"]
+__all__ = ["INK", "PALETTE", "PHASE_COLORS", "Axis", "Picture", "Study", "Trace", "radii"]
 
 INK = "var(--ink)"
 """Colour of theory, as the style sheet has it."""
 PALETTE = ("#2457d6", "#d1495b", "#2a9d8f", "#b8741a", "#7b4fb5", "#5f6b7a", "#1b9ad6", "#a23e48")
 """Colours of what belongs to no species; read on light and dark."""
+
+PHASE_COLORS = {name: f"var(--gasbox-{name})" for name in ("gas", "liquid", "solid")}
+"""Those of the discs (`frontend/core/theme.js`)."""
 
 
 @dataclass(frozen=True)
@@ -27,14 +30,14 @@ class Trace:
     Attributes
     ----------
     points : (n, 2) float64, x and y; of bars, x counts the labels
-    kind : how it is drawn; ``theory`` is a thin line over the others
+    kind : how it is drawn; ``theory`` is a thin dashed line under the others
     error : (n,) float64, standard errors, or None
     color : or None for one of the palette
     """
 
     name: str
     points: NDArray[np.float64]
-    kind: Literal["line", "points", "bars", "theory"] = "line"
+    kind: Literal["line", "dashed", "points", "bars", "theory"] = "line"
     error: NDArray[np.float64] | None = None
     color: str | None = None
 

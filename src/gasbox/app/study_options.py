@@ -27,6 +27,7 @@ _NUMBER = """(x) => {
 }"""
 _ICON = {
     "line": "path://M0,3h14v2h-14z",
+    "dashed": "path://M0,3h4v2h-4zM5,3h4v2h-4zM10,3h4v2h-4z",
     "theory": "path://M0,3h4v2h-4zM5,3h4v2h-4zM10,3h4v2h-4z",
     "points": "circle",
     "bars": "roundRect",
@@ -151,7 +152,8 @@ def _series(trace: Trace, color: str) -> dict[str, Any]:
             series["symbolSize"] = 5
         case _:
             thin = trace.kind == "theory"
-            line = {"color": color, "width": 1.4 if thin else 1.8, "type": "dashed" if thin else "solid"}
+            dashed = thin or trace.kind == "dashed"
+            line = {"color": color, "width": 1.4 if thin else 1.8, "type": "dashed" if dashed else "solid"}
             series |= {"showSymbol": False, "lineStyle": line, "z": 1 if thin else 3}
     return series
 

@@ -1,7 +1,7 @@
 // Keys, dropped files and visibility of the page: what only the browser knows, told to the server as events.
 (() => {
   "use strict";
-  const settings = window.gasboxPage; // {keys: [...], upload: id}, written by page.py
+  const settings = window.gasboxPage; // {keys: [...], holds: {key: name}, upload: id}, written by page.py
 
   const typing = (target) =>
     target instanceof HTMLElement &&
@@ -20,6 +20,42 @@
     event.preventDefault();
     emitEvent("gasbox_key", key);
   });
+
+  // What acts for as long as a key or a button (data-hold) is down. One at a time; whatever takes the attention away ends it.
+  let held = null;
+  const hold = (name, by) => {
+    if (held !== null) return;
+    held = by;
+    emitEvent("gasbox_hold", name);
+  };
+  const letGo = () => {
+    if (held === null) return;
+    held = null;
+    emitEvent("gasbox_hold", "");
+  };
+  const holder = (target) => (target instanceof Element ? target.closest("[data-hold]") : null);
+  const presses = (key) => key === " " || key === "Enter";
+  document.addEventListener("keydown", (event) => {
+    const { key, target } = event;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
+    const button = holder(target);
+    if (button && presses(key)) hold(button.dataset.hold, key);
+    else if (key in settings.holds && !typing(target) && !covered()) hold(settings.holds[key], key);
+  });
+  document.addEventListener("keyup", ({ key }) => {
+    if (typeof held === "string" && key.toLowerCase() === held.toLowerCase()) letGo();
+  });
+  document.addEventListener("pointerdown", (event) => {
+    const button = holder(event.target);
+    if (!button || event.button !== 0) return;
+    hold(button.dataset.hold, event.pointerId);
+  });
+  for (const end of ["pointerup", "pointercancel"]) {
+    window.addEventListener(end, ({ pointerId }) => held === pointerId && letGo());
+  }
+  window.addEventListener("blur", letGo);
+  document.addEventListener("visibilitychange", letGo);
+  document.addEventListener("contextmenu", (event) => holder(event.target) && event.preventDefault());
 
   // After a click with the mouse the focus leaves the control, so that Space still means play or pause.
   document.addEventListener("click", (event) => {

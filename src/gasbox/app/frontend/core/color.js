@@ -19,3 +19,11 @@ export function mix(a, b, share) {
 export function pack([r, g, b]) {
   return ((255 << 24) | (b << 16) | (g << 8) | r) >>> 0;
 }
+
+// `share` of 256 of one pixel over another; both are opaque.
+export function blend(over, under, share) {
+  const rest = 256 - share;
+  const redBlue = ((Math.imul(over & 0xff00ff, share) + Math.imul(under & 0xff00ff, rest)) >>> 8) & 0xff00ff;
+  const green = ((Math.imul(over & 0xff00, share) + Math.imul(under & 0xff00, rest)) >>> 8) & 0xff00;
+  return 0xff000000 | redBlue | green;
+}

@@ -1,7 +1,10 @@
 // The CPU renderer: anti-aliased discs rasterised into an ImageData. One canvas, so that the page has one layer to compose.
-import { pack } from "./color.js";
+import { BOND_WIDTH, bondsOf, shareOf } from "./bonds.js";
+import { blend, pack } from "./color.js";
+import { stroke } from "./cpu_lines.js";
 import { Ground } from "./ground.js";
 import { extent } from "./outline.js";
+import { shadesOf } from "./shades.js";
 import { PHASES, makeSprites } from "./sprites.js";
 
 const STAMPED = 8; // device pixels; larger discs are filled row by row
@@ -27,7 +30,10 @@ export class CpuRenderer {
   // scene: frame, table, view, theme, palette { strong, dim: [r, g, b] per species }
   draw(scene) {
     this.clear(scene);
-    if (scene.frame) this.discs(scene);
+    if (scene.frame) {
+      this.bonds(scene);
+      this.discs(scene);
+    }
     this.context.putImageData(this.image, 0, 0);
   }
 
@@ -73,30 +79,51 @@ export class CpuRenderer {
     return this.groundPixels;
   }
 
+  bonds(scene) {
+    const { frame, table, view, theme } = scene;
+    const lines = bondsOf(frame, table);
+    if (!lines.length) return;
+    const target = this.target(scene);
+    const color = pack(theme.bond);
+    const { scale, originX, originY, ratio } = view;
+    for (let k = 0; k < lines.length; k += 4) {
+      const x0 = originX + lines[k] * scale;
+      const y0 = originY - lines[k + 1] * scale;
+      const x1 = originX + lines[k + 2] * scale;
+      const y1 = originY - lines[k + 3] * scale;
+      stroke(target, x0, y0, x1, y1, BOND_WIDTH * ratio, color);
+    }
+  }
+
   discs(scene) {
     const { frame, table, view } = scene;
     const { position, species, highlight, count } = frame;
+    const shades = shadesOf(frame);
     const { scale, originX, originY } = view;
     const kinds = table.radii.length;
     const target = this.target(scene);
     const strong = Uint32Array.from(scene.palette.strong, pack);
     const dim = Uint32Array.from(scene.palette.dim, pack);
-    const radii = Float64Array.from(table.radii, (r) => r * scale);
+    const share = shareOf(frame) * scale;
+    const radii = Float64Array.from(table.radii, (r) => r * share);
     const sprites = Array.from(radii, (r) => (r <= STAMPED ? this.sprites(r) : null));
     const { periodicX, periodicY } = table;
-    const spanX = table.width * scale;
-    const spanY = table.height * scale;
+    const [left, bottom, right, top] = extent(table, frame);
+    const spanX = (right - left) * scale;
+    const spanY = (top - bottom) * scale;
+    const startX = originX + left * scale;
+    const startY = originY - bottom * scale;
     for (let i = 0; i < count; i++) {
       const s = species[i];
       if (s >= kinds) continue;
       const r = radii[s];
       const x = originX + position[2 * i] * scale;
       const y = originY - position[2 * i + 1] * scale;
-      const color = highlight !== null && !((highlight[i >> 3] >> (i & 7)) & 1) ? dim[s] : strong[s];
+      const color = highlight !== null && !((highlight[i >> 3] >> (i & 7)) & 1) ? dim[shades[i]] : strong[shades[i]];
       paint(target, sprites[s], x, y, r, color);
       if (!periodicX && !periodicY) continue;
-      const dx = !periodicX ? 0 : x - originX < r ? spanX : originX + spanX - x < r ? -spanX : 0;
-      const dy = !periodicY ? 0 : originY - y < r ? -spanY : y - (originY - spanY) < r ? spanY : 0;
+      const dx = !periodicX ? 0 : x - startX < r ? spanX : startX + spanX - x < r ? -spanX : 0;
+      const dy = !periodicY ? 0 : startY - y < r ? -spanY : y - (startY - spanY) < r ? spanY : 0;
       if (dx) paint(target, sprites[s], x + dx, y, r, color);
       if (dy) paint(target, sprites[s], x, y + dy, r, color);
       if (dx && dy) paint(target, sprites[s], x + dx, y + dy, r, color);
@@ -129,14 +156,6 @@ export class CpuRenderer {
   }
 
   destroy() {}
-}
-
-// `share` of 256 of one pixel over another; both are opaque.
-function blend(over, under, share) {
-  const rest = 256 - share;
-  const redBlue = ((Math.imul(over & 0xff00ff, share) + Math.imul(under & 0xff00ff, rest)) >>> 8) & 0xff00ff;
-  const green = ((Math.imul(over & 0xff00, share) + Math.imul(under & 0xff00, rest)) >>> 8) & 0xff00;
-  return 0xff000000 | redBlue | green;
 }
 
 function paint(target, sprites, x, y, r, color) {

@@ -1,5 +1,6 @@
 // Wheel and pinch zoom, drag to move (a wall by its handle, else the view), double click or "0" to see all again, click to
 // pick a disc.
+import { extent } from "./outline.js";
 
 const CLICK = 5; // CSS pixels that a finger may slip and still click
 
@@ -126,13 +127,15 @@ export class Gestures {
 
 // Row of the disc at a place in the box, or null. Small discs may be missed by `slack` [length].
 export function pick(frame, table, x, y, slack) {
+  const [left, bottom, right, top] = extent(table, frame);
+  const [width, height] = [right - left, top - bottom];
   let best = null;
   let least = Infinity;
   for (let i = 0; i < frame.count; i++) {
     let dx = Math.abs(frame.position[2 * i] - x);
     let dy = Math.abs(frame.position[2 * i + 1] - y);
-    if (table.periodicX) dx = Math.min(dx, table.width - dx);
-    if (table.periodicY) dy = Math.min(dy, table.height - dy);
+    if (table.periodicX) dx = Math.min(dx, width - dx);
+    if (table.periodicY) dy = Math.min(dy, height - dy);
     const distance = dx * dx + dy * dy;
     const reach = Math.max(table.radii[frame.species[i]], slack);
     if (distance <= reach * reach && distance < least) {

@@ -1,5 +1,4 @@
 // The live box, without any framework: createLab(element, options) draws a session's frames into an element.
-import { mix, parse } from "./color.js";
 import { CpuRenderer } from "./cpu.js";
 import { Gestures, pick } from "./gestures.js";
 import { Handles } from "./handles.js";
@@ -8,6 +7,7 @@ import { grown, reach } from "./outline.js";
 import { Trail, drawOverlay } from "./overlay.js";
 import { chooseRenderer } from "./probe.js";
 import { decodeFrame, decodeTable, encodeDrag, encodeDrop } from "./protocol.js";
+import { palettes } from "./shades.js";
 import { FrameSocket } from "./socket.js";
 import { Stats } from "./stats.js";
 import { installStyle, readTheme, watchTheme } from "./theme.js";
@@ -16,7 +16,6 @@ import { GlRenderer } from "./webgl2.js";
 
 export { decodeFrame, decodeTable };
 
-const DIMMED = 0.8; // share of the background in discs that are not highlighted
 const SLACK = 5; // CSS pixels by which a click may miss a small disc
 
 // options: session (id), renderer ("cpu", "gl", else by probe), onPick(row or null), onNotice({ kind, ... })
@@ -110,8 +109,7 @@ class Lab {
   }
 
   mixColors() {
-    const strong = this.table.colors.map((color) => parse(color));
-    this.palette = { strong, dim: strong.map((color) => mix(color, this.theme.box, DIMMED)) };
+    this.palettes = palettes(this.table, this.theme);
   }
 
   hear(message) {
@@ -192,7 +190,8 @@ class Lab {
   }
 
   scene() {
-    const { frame, table, view, theme, palette, trail } = this;
+    const { frame, table, view, theme, trail } = this;
+    const palette = this.palettes[frame?.coloring ?? 0];
     return { frame, table, view, theme, palette, trail, grabbed: this.handles.seen(frame) };
   }
 

@@ -87,11 +87,27 @@ export function reach(table) {
   return room;
 }
 
-// What is shown, so that sides that go beyond it stay in sight: it grows by more than is needed, and never shrinks.
+// What is shown, so that sides that go beyond it stay in sight: it grows by more than is needed, and never shrinks. A box
+// without sides, whose area a barostat changes, is followed instead.
 export function grown(room, table, frame) {
   const now = extent(table, frame);
+  if (table.periodicX && table.periodicY) return followed(room, now, frame);
   const spare = [0.15 * table.width, 0.15 * table.height];
   const beyond = [now[0] < room[0], now[1] < room[1], now[2] > room[2], now[3] > room[3]];
   if (!beyond.some(Boolean)) return room;
   return room.map((end, k) => (beyond[k] ? now[k] + (k < 2 ? -1 : 1) * spare[k % 2] : end));
+}
+
+const SPARE = 0.75; // the box fills this share of what is shown at least, as soon as the view has followed
+const PACE = 0.01; // by which the view closes in with each frame
+
+// In the middle, as large as it was until the box has become larger, or much smaller.
+function followed(room, [left, bottom, right, top], frame) {
+  if (!frame.displacement.length) return room;
+  const [width, height] = [room[2] - room[0], room[3] - room[1]];
+  const fill = Math.max((right - left) / width, (top - bottom) / height);
+  const factor = 0.5 * (fill > 1 ? fill : fill < SPARE ? Math.max(fill / SPARE, 1 - PACE) : 1);
+  const [x, y] = [(left + right) / 2, (bottom + top) / 2];
+  const wanted = [x - factor * width, y - factor * height, x + factor * width, y + factor * height];
+  return wanted.some((end, k) => Math.abs(end - room[k]) > 1e-6 * width) ? wanted : room;
 }

@@ -1,4 +1,7 @@
 // Lines over the discs: walls, ring and trail.
+import { shareOf } from "./bonds.js";
+import { extent } from "./outline.js";
+import { shadesOf } from "./shades.js";
 import { drawWalls } from "./walls.js";
 
 export function drawOverlay(context, scene) {
@@ -10,9 +13,10 @@ export function drawOverlay(context, scene) {
   context.restore();
 }
 
-function trail(context, { trail, view, theme, table }) {
+function trail(context, { trail, view, theme, table, frame }) {
   const points = trail.points;
   if (points.length < 2) return;
+  const [left, bottom, right, top] = extent(table, frame);
   context.strokeStyle = theme.ring;
   context.lineWidth = 1.5 * view.ratio;
   context.lineJoin = "round";
@@ -20,7 +24,7 @@ function trail(context, { trail, view, theme, table }) {
     const [x0, y0] = points[k - 1];
     const [x1, y1] = points[k];
     // A jump to the other side of a periodic box is no way.
-    if (Math.abs(x1 - x0) > table.width / 2 || Math.abs(y1 - y0) > table.height / 2) continue;
+    if (Math.abs(x1 - x0) > (right - left) / 2 || Math.abs(y1 - y0) > (top - bottom) / 2) continue;
     context.globalAlpha = 0.75 * (k / points.length);
     context.beginPath();
     context.moveTo(view.originX + x0 * view.scale, view.originY - y0 * view.scale);
@@ -33,11 +37,11 @@ function trail(context, { trail, view, theme, table }) {
 // A ring around the followed disc, and the disc itself once more, over its trail.
 function ring(context, { frame, view, theme, table, palette }) {
   if (!frame?.followed) return;
-  const kind = frame.species[frame.followed.row];
+  const { row } = frame.followed;
   const x = view.originX + frame.followed.x * view.scale;
   const y = view.originY - frame.followed.y * view.scale;
-  const radius = (table.radii[kind] ?? 0) * view.scale;
-  context.fillStyle = `rgb(${palette.strong[kind] ?? [128, 128, 128]})`;
+  const radius = (table.radii[frame.species[row]] ?? 0) * view.scale * shareOf(frame);
+  context.fillStyle = `rgb(${palette.strong[shadesOf(frame)[row]] ?? [128, 128, 128]})`;
   circle(context, x, y, radius);
   context.fill();
   context.strokeStyle = theme.ring;

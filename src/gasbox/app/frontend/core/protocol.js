@@ -1,11 +1,12 @@
 // The wire format, twin of app/protocol.py, where it is described.
 import { readOutline } from "./outline.js";
 
-export const VERSION = 2;
+export const VERSION = 3;
 const HIGHLIGHT = 1;
 const FOLLOWED = 2;
 const PLAYING = 4;
-const HEADER = 64;
+const BONDS = 8;
+const HEADER = 68;
 
 // A frame from an ArrayBuffer. The arrays are views into it. Throws if it is no frame of this version.
 export function decodeFrame(buffer) {
@@ -18,9 +19,11 @@ export function decodeFrame(buffer) {
   const count = head.getUint32(12, true);
   const walls = head.getUint32(60, true);
   const start = header + 4 * walls;
+  const coloring = head.getUint8(64);
+  const tail = start + (coloring ? 10 : 9) * count;
   const bits = flags & HIGHLIGHT ? (count + 7) >> 3 : 0;
-  if (buffer.byteLength !== start + 9 * count + bits) {
-    throw new Error(`a frame of ${count} discs has ${start + 9 * count + bits} bytes, not ${buffer.byteLength}`);
+  if (buffer.byteLength !== tail + bits) {
+    throw new Error(`a frame of ${count} discs has ${tail + bits} bytes, not ${buffer.byteLength}`);
   }
   return {
     generation: head.getUint32(4, true),
@@ -34,7 +37,10 @@ export function decodeFrame(buffer) {
     displacement: new Float32Array(buffer, header, walls),
     position: new Float32Array(buffer, start, 2 * count),
     species: new Uint8Array(buffer, start + 8 * count, count),
-    highlight: flags & HIGHLIGHT ? new Uint8Array(buffer, start + 9 * count, bits) : null,
+    coloring,
+    shades: coloring ? new Uint8Array(buffer, start + 9 * count, count) : null,
+    bonds: (flags & BONDS) !== 0,
+    highlight: flags & HIGHLIGHT ? new Uint8Array(buffer, tail, bits) : null,
     followed: flags & FOLLOWED ? followed(head) : null,
   };
 }
@@ -58,6 +64,7 @@ export function decodeTable(message) {
     names: message.species.map((one) => one.name),
     colors: message.species.map((one) => one.color),
     radii: Float64Array.from(message.species, (one) => one.radius),
+    reaches: Float64Array.from(message.species, (one) => one.reach),
   };
 }
 

@@ -1,10 +1,20 @@
 // Colours of the box, from CSS variables, so that a page or a style sheet can set them:
-// --gasbox-box (inside), --gasbox-outside, --gasbox-wall, --gasbox-obstacle (edges), --gasbox-ring (followed disc).
+// --gasbox-box (inside), --gasbox-outside, --gasbox-wall, --gasbox-obstacle (edges), --gasbox-ring (followed disc), and
+// those of shades: --gasbox-gas, -liquid, -solid; --gasbox-neighbours-0 to -7; --gasbox-slow, -medium, -fast.
+// The three phases differ in brightness and between blue and orange, so that all kinds of eyes can tell them apart.
 // Light or dark follows the system, unless data-theme="light|dark" on <html> or NiceGUI's body--dark says otherwise.
 import { mix, parse } from "./color.js";
 
-const LIGHT = "--gasbox-box:#ffffff;--gasbox-outside:#f2f4f7;--gasbox-wall:#3d4756;--gasbox-obstacle:#3d4756;--gasbox-ring:#111827;";
-const DARK = "--gasbox-box:#12161d;--gasbox-outside:#0b0e13;--gasbox-wall:#a9b4c4;--gasbox-obstacle:#a9b4c4;--gasbox-ring:#ffffff;";
+const LIGHT =
+  "--gasbox-box:#ffffff;--gasbox-outside:#f2f4f7;--gasbox-wall:#3d4756;--gasbox-obstacle:#3d4756;--gasbox-ring:#111827;" +
+  "--gasbox-gas:#e69500;--gasbox-liquid:#3d9be9;--gasbox-solid:#35297a;" +
+  neighbours("#dcc31c #9ccb35 #4fba68 #21a084 #29788e #365a8c #45317c #c01f5a") +
+  "--gasbox-slow:#2c3a94;--gasbox-medium:#c2468a;--gasbox-fast:#f5a300;";
+const DARK =
+  "--gasbox-box:#12161d;--gasbox-outside:#0b0e13;--gasbox-wall:#a9b4c4;--gasbox-obstacle:#a9b4c4;--gasbox-ring:#ffffff;" +
+  "--gasbox-gas:#ffab3d;--gasbox-liquid:#2f8fe8;--gasbox-solid:#e4defc;" +
+  neighbours("#6a5bc4 #4d76b8 #2f93a0 #21a886 #4fc36b #9fda3c #f5e12d #ff6c95") +
+  "--gasbox-slow:#5263e8;--gasbox-medium:#d3579d;--gasbox-fast:#ffd061;";
 const STYLE = `
 :where(:root){${LIGHT}}
 @media (prefers-color-scheme: dark){:where(:root:not([data-theme="light"])){${DARK}}}
@@ -17,6 +27,10 @@ const STYLE = `
 border-radius:.6em;text-align:center;background:var(--gasbox-outside);color:var(--gasbox-wall);
 border:1px solid var(--gasbox-wall)}
 .gasbox-message[hidden]{display:none}`;
+
+function neighbours(colors) {
+  return colors.split(" ").map((color, k) => `--gasbox-neighbours-${k}:${color};`).join("");
+}
 
 export function installStyle() {
   if (document.getElementById("gasbox-style")) return;
@@ -37,6 +51,8 @@ export function readTheme(element) {
     wall: read("wall") || "#3d4756",
     obstacle: read("obstacle") || "#3d4756",
     ring: read("ring") || "#111827",
+    bond: mix(box, parse(read("obstacle"), [61, 71, 86]), 0.7),
+    shade: (name) => parse(read(name)),
   };
 }
 

@@ -1,18 +1,23 @@
 // The WebGL2 renderer for graphics hardware: one quad per disc, drawn by instancing, with a second canvas for lines.
 
+import { BOND_WIDTH, bondsOf, shareOf } from "./bonds.js";
+import { Lines } from "./gl_lines.js";
 import { Ground } from "./ground.js";
 import { Layer } from "./layer.js";
 import { link, texture } from "./gl.js";
 import { extent } from "./outline.js";
+import { shadesOf } from "./shades.js";
 
 const VERTEX = `#version 300 es
 precision highp float;
 layout(location = 0) in vec2 position;
 layout(location = 1) in uint species;
 layout(location = 2) in uint lit;
+layout(location = 3) in uint shade;
 uniform vec2 size;      // of the canvas, in pixels
 uniform vec2 origin;    // pixel of the box's corner (0, 0), y down
 uniform float scale;    // pixels per length
+uniform float share;    // of its radius that a disc is drawn with
 uniform vec2 box;       // its width and height
 uniform ivec2 image;    // which periodic image: -1, 0 or 1 along x and y
 uniform bool dimmed;
@@ -28,13 +33,13 @@ void main() {
   // An image is drawn only if it reaches into the box.
   bool seen = all(lessThan(-vec2(radius) * abs(shift), (center) * abs(shift) + vec2(1e-30)))
            && all(lessThan((center - box) * abs(shift), vec2(radius) * abs(shift) + vec2(1e-30)));
-  radius *= scale;
+  radius *= scale * share;
   vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
   place = corner * (radius + 1.0);
   vec2 pixel = vec2(origin.x, origin.y) + vec2(center.x, -center.y) * scale + place;
   vec2 clip = pixel / size * 2.0 - 1.0;
   gl_Position = seen ? vec4(clip.x, -clip.y, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
-  color = texelFetch(palette, ivec2(int(species), dimmed && lit == 0u ? 1 : 0), 0);
+  color = texelFetch(palette, ivec2(int(shade), dimmed && lit == 0u ? 1 : 0), 0);
 }`;
 
 const FRAGMENT = `#version 300 es
@@ -75,13 +80,14 @@ export class GlRenderer {
     const { gl } = this;
     this.program = link(gl, VERTEX, FRAGMENT);
     this.layer = new Layer(gl);
+    this.lines = new Lines(gl);
     gl.useProgram(this.program);
     this.at = (name) => gl.getUniformLocation(this.program, name);
     gl.uniform1i(this.at("radii"), 0);
     gl.uniform1i(this.at("palette"), 1);
     this.radii = texture(gl, gl.TEXTURE0);
     this.palette = texture(gl, gl.TEXTURE1);
-    this.buffers = [gl.createBuffer(), gl.createBuffer(), gl.createBuffer()];
+    this.buffers = Array.from({ length: 4 }, () => gl.createBuffer());
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
@@ -118,6 +124,11 @@ export class GlRenderer {
       periodicX ? boxWidth : width,
       periodicY ? boxHeight : height,
     );
+    const lines = bondsOf(scene.frame, scene.table);
+    if (lines.length) {
+      this.lines.draw(lines, scene, BOND_WIDTH * scene.view.ratio);
+      gl.useProgram(this.program);
+    }
     this.upload(scene);
     this.instances(scene);
   }
@@ -143,15 +154,17 @@ export class GlRenderer {
   upload(scene) {
     const { gl } = this;
     const { frame, table, palette } = scene;
-    const [position, species, lit] = this.buffers;
+    const [position, species, lit, shades] = this.buffers;
     const fresh = frame.count > this.capacity;
     if (fresh) this.capacity = Math.ceil(frame.count * 1.25);
     store(gl, position, frame.position, fresh && this.capacity * 8);
     store(gl, species, frame.species, fresh && this.capacity);
     store(gl, lit, unpacked(frame), fresh && this.capacity);
+    store(gl, shades, shadesOf(frame), fresh && this.capacity);
     attribute(gl, 0, position, 2, gl.FLOAT);
     attribute(gl, 1, species, 1, gl.UNSIGNED_BYTE);
     attribute(gl, 2, lit, 1, gl.UNSIGNED_BYTE);
+    attribute(gl, 3, shades, 1, gl.UNSIGNED_BYTE);
     const radii = new Float32Array(KINDS);
     radii.set(table.radii);
     gl.activeTexture(gl.TEXTURE0);
@@ -168,7 +181,9 @@ export class GlRenderer {
     gl.uniform2f(this.at("size"), this.canvas.width, this.canvas.height);
     gl.uniform2f(this.at("origin"), view.originX, view.originY);
     gl.uniform1f(this.at("scale"), view.scale);
-    gl.uniform2f(this.at("box"), table.width, table.height);
+    const [left, bottom, right, top] = extent(table, frame);
+    gl.uniform1f(this.at("share"), shareOf(frame));
+    gl.uniform2f(this.at("box"), right - left, top - bottom);
     gl.uniform1i(this.at("dimmed"), frame.highlight === null ? 0 : 1);
     const along = (periodic) => (periodic ? [-1, 0, 1] : [0]);
     for (const i of along(table.periodicX)) {

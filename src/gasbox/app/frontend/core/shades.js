@@ -1,0 +1,30 @@
+// Colours of discs: those of their species, or shades that say their phase, number of neighbours or speed.
+import { mix, parse } from "./color.js";
+
+const DIMMED = 0.8; // share of the background in discs that are not highlighted
+const PHASES = ["gas", "liquid", "solid"];
+const NEIGHBOURS = 8;
+const LEVELS = 256;
+
+// One palette { strong, dim: [r, g, b] each } for each way of colouring, in the order of their numbers on the wire.
+export function palettes(table, theme) {
+  const all = [
+    table.colors.map((color) => parse(color)),
+    PHASES.map((name) => theme.shade(name)),
+    Array.from({ length: NEIGHBOURS }, (_, k) => theme.shade(`neighbours-${k}`)),
+    ramp(theme.shade("slow"), theme.shade("medium"), theme.shade("fast")),
+  ];
+  return all.map((strong) => ({ strong, dim: strong.map((color) => mix(color, theme.box, DIMMED)) }));
+}
+
+function ramp(low, middle, high) {
+  return Array.from({ length: LEVELS }, (_, k) => {
+    const share = (2 * k) / (LEVELS - 1);
+    return share < 1 ? mix(low, middle, share) : mix(middle, high, share - 1);
+  });
+}
+
+// What picks a disc's colour from the palette.
+export function shadesOf(frame) {
+  return frame.shades ?? frame.species;
+}
