@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from gasbox.cli.matter import FIGURES_OF_MATTER, matter_panels
 from gasbox.cli.panels import FIGURES, panels_of
 from gasbox.cli.survey import Survey, survey
 from gasbox.errors import FileError, UsageError
@@ -23,7 +24,7 @@ from gasbox.plots import (
     series_figure,
 )
 from gasbox.recording import Recording, open_recording
-from gasbox.scenario import Scenario
+from gasbox.scenario import Forced, Scenario
 from gasbox.state import Frame
 from gasbox.theory.mixture import Mixture, ideal_pressure, pressure
 
@@ -32,6 +33,8 @@ __all__ = ["draw"]
 _DOTS_PER_INCH = 150
 _OVERVIEW: Final = ("gas", "profiles", "centers", "transfers", "pv", "walls", "sides", "flow")
 """Order of the further panels of the overview."""
+_OF_FORCES: Final = ("phases", "rdf")
+"""What the overview of a gas with forces shows beside."""
 
 
 def draw(path: Path, output: Path, last: int | None, name: str = "overview") -> None:
@@ -72,16 +75,25 @@ def _figure(recording: Recording, first: int, name: str) -> Figure:
         species = [(entry.name, entry.color) for entry in scenario.species]
         return series_figure(series, species, ideal, discs, scenario.title)
     more = _more(survey(recording, first), scenario, temperature) if _is_more_than_a_box(recording) else []
+    if isinstance(scenario.dynamics, Forced):
+        more += [panel for each in _OF_FORCES for panel in matter_panels(each, recording, first)]
     quantity = scenario.histograms.quantity
     title = _title(recording, first, "means" if more else "histograms")
     return overview_figure(panels, series, quantity, ideal, discs, title, more)
 
 
 def _panels_figure(recording: Recording, first: int, name: str, temperature: float | None) -> Figure:
-    panels = panels_of(name, recording.scenario, survey(recording, first), temperature)
+    if name in FIGURES_OF_MATTER:
+        panels = matter_panels(name, recording, first)
+    else:
+        panels = panels_of(name, recording.scenario, survey(recording, first), temperature)
     if not panels:
         raise UsageError(f"{recording.path} has nothing to show in the figure {name!r}: {FIGURES[name]}")
-    shown = _title(recording, first, "means") if name in ("profiles", "walls") else recording.scenario.title
+    shown = (
+        _title(recording, first, "means")
+        if name in ("profiles", "walls", "rdf")
+        else recording.scenario.title
+    )
     return panels_figure(panels, shown)
 
 
@@ -140,7 +152,10 @@ def _series(times: NDArray[np.float64], numbers: dict[str, NDArray[np.float64]])
 
 
 def _theory(recording: Recording, temperature: float | None) -> tuple[float | None, float | None]:
-    """Pressure of an ideal gas and of hard discs [mass/time²], where one temperature and area say it."""
+    """Pressure of an ideal gas and of hard discs [mass/time²], where one temperature and area say it.
+
+    Discs with forces are not hard; of them no law is drawn but the ideal one, and none where a barostat is at work.
+    """
     end = recording.read(-1)
     geometry = recording.geometry_at(-1)
     leaves = recording.read(0).state.count != end.state.count
@@ -153,4 +168,7 @@ def _theory(recording: Recording, temperature: float | None) -> tuple[float | No
         [species.radius for species in kinds],
         geometry.area,
     )
-    return ideal_pressure(gas, temperature), pressure(gas, temperature)
+    forced = isinstance(recording.scenario.dynamics, Forced)
+    if forced and end.state.wall_displacement.size:
+        return None, None
+    return ideal_pressure(gas, temperature), None if forced else pressure(gas, temperature)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox import observe
+from gasbox.cli.matter import FIGURES_OF_MATTER
 from gasbox.cli.survey import Survey
 from gasbox.geometry import Enclosure, Geometry, Rectangle
 from gasbox.geometry.conserved import is_solid
@@ -40,6 +41,7 @@ FIGURES: Final = {
     "sides": "who is on which side of a divider",
     "centers": "centres of mass",
     "flow": "who passed openings, membranes and lines",
+    **FIGURES_OF_MATTER,
 }
 """Figures of panels, and what they show."""
 
@@ -108,7 +110,8 @@ def _has_story(book: observe.EnergyBalance) -> bool:
 
 
 def _is_given(book: observe.EnergyBalance) -> bool:
-    return any(np.any(row) for row in (book.work, book.heat, book.carried, book.rest, book.changes))
+    walls = (book.work, book.heat, book.carried, book.rest, book.changes)
+    return any(np.any(row) for row in (*walls, book.thermostat, book.heater, book.barostat))
 
 
 def _side_axis(found: Survey) -> Literal["x", "y"]:

@@ -25,6 +25,11 @@ class Picture(StrEnum):
     SIDES = "sides"
     CENTERS = "centers"
     FLOW = "flow"
+    RDF = "rdf"
+    MSD = "msd"
+    HEXATIC = "hexatic"
+    HEATING_CURVE = "heating-curve"
+    PHASES = "phases"
 
 
 def plot(
@@ -48,7 +53,9 @@ def plot(
             help="All in one (overview), or one part: speeds (histograms), numbers over time (series), the last frame "
             "(gas), density and temperature along gravity (profiles), energy, work and heat (energy), pressure on "
             "each wall (walls), pressure and area behind a moving wall (pv), both sides of a divider (sides), "
-            "centres of mass (centers), who passed openings and membranes (flow).",
+            "centres of mass (centers), who passed openings and membranes (flow), g(r) (rdf), "
+            "mean squared displacement (msd), hexatic order and phases over time (hexatic), temperature against heat "
+            "added (heating-curve), the last frame with discs coloured by phase (phases).",
         ),
     ] = Picture.OVERVIEW,
 ) -> None:

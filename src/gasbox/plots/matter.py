@@ -76,7 +76,7 @@ def draw_hexatic(axes: Axes, time: NDArray[np.float64], order: NDArray[np.float6
     axes.plot(time, order, color=INK, linewidth=1.5)
     axes.set_title("hexatic order")
     axes.set_xlabel(label("time", "time"))
-    axes.set_ylabel("modulus of the mean of psi_6")
+    axes.set_ylabel("modulus of the\nmean of psi_6")
     axes.set_ylim(0.0, 1.05)
     dress(axes)
 
