@@ -1,6 +1,7 @@
 """Panels of matter: what is drawn, in which colours, under which names."""
 
 import io
+import itertools
 
 import numpy as np
 import pytest
@@ -117,7 +118,7 @@ def test_stretches_of_a_heating_curve_are_coloured_and_its_latent_heats_written(
     thick = [line for line in axes.lines if line.get_linewidth() == 2.6]
     assert [line.get_color() for line in thick] == [STRETCH_COLORS[name] for name in names(axes)]
     # The colours meet.
-    for one, other in zip(thick[:-1], thick[1:], strict=True):
+    for one, other in itertools.pairwise(thick):
         assert one.get_xdata()[-1] == other.get_xdata()[0]
     assert axes.get_xlabel() == "heat added, each disc [mass·length²/time²]"
 
@@ -134,7 +135,7 @@ def test_cooling_back_is_dashed():
 def test_heat_of_thermostat_and_heater_and_work_of_a_barostat():
     nothing = np.zeros(3)
     own = ("potential", "work", "heat", "carried", "rest", "changes", "thermostat", "heater", "barostat")
-    given = {name: nothing for name in own} | {"kinetic": np.array([10.0, 12.0, 11.0])}
+    given = dict.fromkeys(own, nothing) | {"kinetic": np.array([10.0, 12.0, 11.0])}
     given |= {"heater": np.array([0.0, 3.0, 4.0]), "barostat": np.array([0.0, -1.0, -3.0])}
     walls = np.zeros((3, 4))
     axes = drawn(plots.draw_transfers, EnergyBalance(time=TIME, wall_work=walls, wall_heat=walls, **given))
