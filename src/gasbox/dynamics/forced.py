@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gasbox.dynamics.baths import Drive, degrees_of_freedom, drive_of
 from gasbox.dynamics.changes import as_enclosure
+from gasbox.dynamics.forced_room import Tables
 from gasbox.dynamics.halls import make_hall
 from gasbox.dynamics.team import Team, fitting_threads
 from gasbox.errors import DynamicsError, UsageError
@@ -26,8 +27,6 @@ _SKIN = 0.4
 """By which lists reach beyond the largest cutoff, in units of the smallest sigma."""
 _MOST = 0.25
 """Way in one step, in units of the smallest sigma, that no sensible step makes."""
-_LEFT = 8.0
-"""Entries in the list of an atom at first, before it is known how long lists are."""
 
 
 @dataclass(frozen=True)
@@ -161,66 +160,34 @@ class Forced:
         threads = self._threads or fitting_threads(state.count)
         if self._team is None or self._team.wanted != threads:
             self._team = Team(threads)
-        reach = self.settings.terms.reach + self._rule.skin
-        around = state.count * (2.0 * reach) ** 2 / float(np.prod(self._size))
-        self._room_for = max(_LEFT, around / 4.0)
-        self._images = 2.0
-        self._thickness = reach / max(1, round(around / 20.0))
-        present = np.zeros((0, 2)) if memory is None else np.asarray(memory["position"], np.float64)
-        start = state
+        present, start = np.zeros((0, 2)), state
         if memory is not None:
+            present = np.asarray(memory["position"], np.float64)
             start = state.copy()
             start.position = np.asarray(memory["built"], np.float64).reshape(-1, 2)
-        self._atoms = forced.atoms(start)
-        self._books = forced.books(self.tallies)
-        self._make_room(state.count)
-        while self._call_prepare(state, present) == forced.GROW:
-            self._grow(state.count)
-        self._show(state)
-
-    def _make_room(self, count: int) -> None:
-        """Slots, lists and strips of the sizes that seem right."""
-        assert self._team is not None
-        threads, reach = self._team.threads, self.settings.terms.reach + self._rule.skin
-        width, height = float(self._size[0]), float(self._size[1])
-        strips = forced.strips(height, reach, self._thickness, threads)
-        images = 1.0
-        if self._rule.periodic_x:
-            images *= 1.0 + 2.0 * reach / width
-        if self._rule.periodic_y:
-            images *= 1.0 + 2.0 * (reach + self._thickness) / height
-        slots = forced.slots(int(self._images * count * images) + 16 * strips.slot.shape[0] + 64)
-        lists = forced.lists(
-            count, int(self._room_for * (count + 64)) * 2 + threads * 8 * slots.x.shape[0] // 8
+        self._tables = Tables(
+            start,
+            (float(self._size[0]), float(self._size[1])),
+            (self._rule.periodic_x, self._rule.periodic_y),
+            self.settings.terms.reach + self._rule.skin,
+            self._team.threads,
+            self._hall,
+            self.settings.wall_strength,
         )
-        room = forced.room(count, (width, height), threads)
-        self._crowd = forced.Crowd(self._atoms, slots, lists, strips, room)
-        self._walls = None
-        if self._hall is not None:
-            near = int(self._images * (256 + 4 * count))
-            self._walls = forced.walls(self._hall, self.settings.wall_strength, near)
-
-    def _grow(self, count: int) -> None:
-        """Room for more, with the same atoms in the same stage."""
-        room, walls = self._crowd.room, self._walls
-        self._images *= 2.0
-        self._room_for *= 2.0
-        self._size = room.size.copy()
-        self._make_room(count)
-        new = self._crowd.room
-        new.stage[:], new.before[:], new.sums[:] = room.stage, room.before, room.sums
-        if walls is not None and self._walls is not None:
-            self._walls.cursor[:] = walls.cursor
+        self._books = forced.books(self.tallies)
+        while self._call_prepare(state, present) == forced.GROW:
+            self._tables.grow()
+        self._show(state)
 
     def _call_prepare(self, state: State, present: NDArray[np.float64]) -> int:
         count = np.array([self.contacts.count], np.int64)
         return forced.prepare(
-            self._crowd,
+            self._tables.crowd,
             self.settings.terms,
             self._rule,
             self._bath,
             arguments.gas(state),
-            self._walls,
+            self._tables.walls,
             arguments.ledger(self.tallies, self.contacts, count, state),
             self._books,
             present,
@@ -243,7 +210,7 @@ class Forced:
             status = self._take_steps(state, target)
             if status != forced.GROW:
                 break
-            self._grow(state.count)
+            self._tables.grow()
         if status == forced.TOO_FAR:
             self._explain(state)
         state.time = self._time
@@ -258,12 +225,12 @@ class Forced:
         count = np.array([self.contacts.count], np.int64)
         status = self._team.run(
             forced.advance,
-            self._crowd,
+            self._tables.crowd,
             self.settings.terms,
             self._rule,
             self._bath,
             arguments.gas(state),
-            self._walls,
+            self._tables.walls,
             arguments.ledger(self.tallies, self.contacts, count, state),
             self._books,
             self._clock,
@@ -290,7 +257,7 @@ class Forced:
     def _show(self, state: State) -> None:
         """Energies, and the size of a box that a barostat has changed."""
         state.potential, state.virial = float(self._books.now[0]), float(self._books.now[1])
-        self._size = self._crowd.room.size.copy()
+        self._size = np.array(self._tables.size)
         if self._drive.has_barostat or np.any(self._size != self._geometry.size):
             change = self._size - self._geometry.size
             state.wall_displacement = np.array([0.0, change[0], 0.0, change[1]])
@@ -298,10 +265,8 @@ class Forced:
 
     def forces(self, state: State) -> NDArray[np.float64]:
         """(n, 2) float64 [mass·length/time²]: force on each particle now, in the order of the state."""
-        found = np.zeros((state.count, 2))
-        rows = self._atoms.row[: state.count]
-        found[rows, 0], found[rows, 1] = self._atoms.fx[: state.count], self._atoms.fy[: state.count]
-        return found
+        atoms = self._tables.crowd.atoms
+        return self._tables.by_row(atoms.fx, atoms.fy)
 
     def memory(self) -> Memory:
         """What goes on with the same bits.
@@ -309,15 +274,11 @@ class Forced:
         ``forced_step``: steps done; ``position`` (n, 2): places, also outside a periodic box; ``built`` (n, 2):
         places at which neighbours were listed; ``box`` (2,): its size; ``drive``: aims of thermostat and barostat.
         """
-        n = int(self._crowd.room.stage[1])
-        rows = self._atoms.row[:n]
-        position, built = np.zeros((2, n, 2))
-        position[rows, 0], position[rows, 1] = self._atoms.x[:n], self._atoms.y[:n]
-        built[rows, 0], built[rows, 1] = self._atoms.bx[:n], self._atoms.by[:n]
+        atoms = self._tables.crowd.atoms
         return {
             "forced_step": int(self._clock[0]),
-            "position": position,
-            "built": built,
+            "position": self._tables.by_row(atoms.x, atoms.y),
+            "built": self._tables.by_row(atoms.bx, atoms.by),
             "box": self._size.copy(),
             "drive": self._drive.values.copy(),
         }

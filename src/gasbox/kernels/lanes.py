@@ -11,20 +11,17 @@ the same bits. Kernels write `a * b + c` with lanes as with floats; without the 
 
 from __future__ import annotations
 
-import operator
-from collections.abc import Callable
-from typing import Any, Final
+from typing import Any
 
 import llvmlite.ir  # type: ignore[import-untyped]
 import numba.core.cgutils
-import numba.core.datamodel
 import numba.core.types
-import numba.core.typing.templates
 import numba.extending
 import numba.np.arrayobj
 import numpy as np
 
 from gasbox.jit import is_compiling
+from gasbox.kernels.lane_types import LANES, VECTOR, WIDTH, as_lanes
 
 __all__ = [
     "WIDTH",
@@ -41,115 +38,15 @@ __all__ = [
     "total",
 ]
 
-WIDTH: Final = 8
-"""Numbers in a `Lanes`."""
-
 # numba and llvmlite have no types for these parts of themselves.
 _types: Any = numba.core.types
 _cgutils: Any = numba.core.cgutils
-_models: Any = numba.core.datamodel
-_templates: Any = numba.core.typing.templates
 _extending: Any = numba.extending
 _arrays: Any = numba.np.arrayobj
 _ir: Any = llvmlite.ir
 
 Lanes = Any
 """Eight numbers, or eight truth values, to a type checker."""
-
-_VECTOR: Final = _ir.VectorType(_ir.DoubleType(), WIDTH)
-_TRUTHS: Final = _ir.VectorType(_ir.IntType(1), WIDTH)
-
-
-class LanesType(_types.Type):  # type: ignore[misc]
-    """Eight float64."""
-
-    def __init__(self) -> None:
-        super().__init__(name="Lanes")
-
-
-class MaskType(_types.Type):  # type: ignore[misc]
-    """Eight truth values."""
-
-    def __init__(self) -> None:
-        super().__init__(name="LanesMask")
-
-
-_LANES: Final = LanesType()
-_MASK: Final = MaskType()
-
-
-def _register(kind: type, vector: Any) -> None:
-    class Model(_models.PrimitiveModel):  # type: ignore[misc]
-        def __init__(self, manager: Any, fe_type: Any) -> None:
-            super().__init__(manager, fe_type, vector)
-
-    _extending.register_model(kind)(Model)
-
-
-def _spread(builder: Any, number: Any) -> Any:
-    one = builder.insert_element(
-        _ir.Constant(_VECTOR, _ir.Undefined), number, _ir.Constant(_ir.IntType(32), 0)
-    )
-    zeros = _ir.Constant(_ir.VectorType(_ir.IntType(32), WIDTH), [0] * WIDTH)
-    return builder.shuffle_vector(one, _ir.Constant(_VECTOR, _ir.Undefined), zeros)
-
-
-def _as_lanes(context: Any, builder: Any, kind: Any, value: Any) -> Any:
-    if kind == _LANES:
-        return value
-    return _spread(builder, context.cast(builder, value, kind, _types.float64))
-
-
-def _operator(operation: Callable[..., Any], name: str, compares: bool = False) -> None:
-    """Teach numba an operator between lanes, or between lanes and a number."""
-
-    class Template(_templates.AbstractTemplate):  # type: ignore[misc]
-        def generic(self, args: Any, kws: Any) -> Any:
-            if len(args) == 2 and _LANES in args and all(_is_number(kind) for kind in args):
-                return _templates.signature(_MASK if compares else _LANES, *args)
-            return None
-
-    _templates.infer_global(operation)(Template)
-
-    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        a, b = (_as_lanes(context, builder, *pair) for pair in zip(signature.args, arguments, strict=True))
-        return builder.fcmp_ordered(name, a, b) if compares else getattr(builder, name)(a, b)
-
-    for kinds in ((LanesType, LanesType), (LanesType, _types.Number), (_types.Number, LanesType)):
-        _extending.lower_builtin(operation, *kinds)(code)
-
-
-def _is_number(kind: Any) -> bool:
-    return kind == _LANES or isinstance(kind, _types.Number)
-
-
-def _both() -> None:
-    """Teach numba `mask & mask`."""
-
-    class Template(_templates.AbstractTemplate):  # type: ignore[misc]
-        def generic(self, args: Any, kws: Any) -> Any:
-            return _templates.signature(_MASK, *args) if tuple(args) == (_MASK, _MASK) else None
-
-    _templates.infer_global(operator.and_)(Template)
-
-    @_extending.lower_builtin(operator.and_, MaskType, MaskType)  # type: ignore[untyped-decorator]
-    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        return builder.and_(*arguments)
-
-
-_register(LanesType, _VECTOR)
-_register(MaskType, _TRUTHS)
-if is_compiling():
-    for _operation, _name in (
-        (operator.add, "fadd"),
-        (operator.sub, "fsub"),
-        (operator.mul, "fmul"),
-        (operator.truediv, "fdiv"),
-    ):
-        _operator(_operation, _name)
-    _operator(operator.lt, "<", compares=True)
-    _operator(operator.gt, ">", compares=True)
-    _both()
 
 
 def _intrinsic_or(plain: Any) -> Any:
@@ -170,9 +67,9 @@ def spread(_: Any, number: Any) -> Any:
     """The same number in all lanes."""
 
     def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        return _as_lanes(context, builder, signature.args[0], arguments[0])
+        return as_lanes(context, builder, signature.args[0], arguments[0])
 
-    return _LANES(number), code
+    return LANES(number), code
 
 
 @_intrinsic_or(lambda array, place: array[place : place + WIDTH].copy())  # type: ignore[untyped-decorator]
@@ -183,10 +80,10 @@ def load(_: Any, array: Any, place: Any) -> Any:
     """
 
     def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        pointer = builder.bitcast(_pointer(context, builder, signature, *arguments), _VECTOR.as_pointer())
+        pointer = builder.bitcast(_pointer(context, builder, signature, *arguments), VECTOR.as_pointer())
         return builder.load(pointer, align=8)
 
-    return _LANES(array, place), code
+    return LANES(array, place), code
 
 
 def _store_plain(array: Any, place: int, lanes: Any) -> None:
@@ -199,7 +96,7 @@ def store(_: Any, array: Any, place: Any, lanes: Any) -> Any:
 
     def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         pointer = _pointer(context, builder, signature, *arguments[:2])
-        builder.store(arguments[2], builder.bitcast(pointer, _VECTOR.as_pointer()), align=8)
+        builder.store(arguments[2], builder.bitcast(pointer, VECTOR.as_pointer()), align=8)
         return context.get_dummy_value()
 
     return _types.void(array, place, lanes), code
@@ -213,7 +110,7 @@ def take(_: Any, table: Any, kinds: Any, place: Any) -> Any:
         table, kinds, place = arguments
         integer = signature.args[1].dtype
         place = context.cast(builder, place, signature.args[2], _types.intp)
-        lanes = _ir.Constant(_VECTOR, _ir.Undefined)
+        lanes = _ir.Constant(VECTOR, _ir.Undefined)
         array = _arrays.make_array(signature.args[0])(context, builder, table)
         listed = _arrays.make_array(signature.args[1])(context, builder, kinds)
         for lane in range(WIDTH):
@@ -224,7 +121,7 @@ def take(_: Any, table: Any, kinds: Any, place: Any) -> Any:
             lanes = builder.insert_element(lanes, builder.load(pointer), _ir.Constant(_ir.IntType(32), lane))
         return lanes
 
-    return _LANES(table, kinds, place), code
+    return LANES(table, kinds, place), code
 
 
 @_intrinsic_or(np.where)  # type: ignore[untyped-decorator]
@@ -234,7 +131,7 @@ def choose(_: Any, mask: Any, a: Any, b: Any) -> Any:
     def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         return builder.select(*arguments)
 
-    return _LANES(mask, a, b), code
+    return LANES(mask, a, b), code
 
 
 def _bits_of(mask: Any) -> int:
@@ -302,11 +199,11 @@ def _function(name: str, plain: Any) -> Any:
     @_intrinsic_or(plain)  # type: ignore[untyped-decorator]
     def apply(_: Any, lanes: Any) -> Any:
         def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            kind = _ir.FunctionType(_VECTOR, [_VECTOR])
+            kind = _ir.FunctionType(VECTOR, [VECTOR])
             function = _cgutils.get_or_insert_function(builder.module, kind, f"llvm.{name}.v{WIDTH}f64")
             return builder.call(function, arguments)
 
-        return _LANES(lanes), code
+        return LANES(lanes), code
 
     return apply
 

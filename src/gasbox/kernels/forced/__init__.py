@@ -1,7 +1,8 @@
 """Kernels of the forced rule: discs that attract and repel each other, by velocity Verlet."""
 
-from gasbox.kernels.forced.advance import GROW, TOO_FAR, Rule, advance, prepare
+from gasbox.kernels.forced.advance import TOO_FAR, advance
 from gasbox.kernels.forced.bath import Bath
+from gasbox.kernels.forced.prepare import GROW, Rule, prepare
 from gasbox.kernels.forced.tables import Crowd, Terms, atoms, books, lists, room, slots, strips
 from gasbox.kernels.forced.walls import Walls, walls
 

@@ -5,13 +5,11 @@ A step goes through stages, so that it can stop in the middle for longer lists o
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
-from gasbox.kernels.arguments import DONE, FULL, Box, Gas, Ledger
+from gasbox.kernels.arguments import DONE, FULL, Gas, Ledger
 from gasbox.kernels.forced.bath import (
     BAROSTAT,
     EVERY,
@@ -28,16 +26,14 @@ from gasbox.kernels.forced.bath import (
     sum_blocks,
 )
 from gasbox.kernels.forced.motion import drift, furthest, kick, publish, scale, show
+from gasbox.kernels.forced.prepare import GROW, Rule, box_of, list_share, sort_all
 from gasbox.kernels.forced.push import push
-from gasbox.kernels.forced.sort import divide, lay_out, list_neighbours, sort_atoms, wrap
 from gasbox.kernels.forced.tables import BLOCK, Books, Crowd, Terms
-from gasbox.kernels.forced.walls import Walls, list_walls, push_back, turn_round
+from gasbox.kernels.forced.walls import Walls, push_back, turn_round
 from gasbox.kernels.team import meet, share
 
-__all__ = ["GONE", "GROW", "MOVE", "TOO_FAR", "Rule", "advance", "prepare"]
+__all__ = ["GONE", "TOO_FAR", "advance"]
 
-GROW = 20
-"""Status: lists or slots are too short; give longer ones and call again."""
 TOO_FAR = 21
 """Status: a disc has flown too far in one step."""
 GONE = 22
@@ -45,102 +41,6 @@ GONE = 22
 
 MOVE, TURN, LOOK, LIST, FORCE, LIST_AGAIN, FORCE_AGAIN = range(7)
 """Stages of a step; the last two follow a change of the area."""
-
-
-class Rule(NamedTuple):
-    """Numbers that stay the same.
-
-    Attributes
-    ----------
-    time_step : [time]
-    skin : by which lists reach beyond the largest cutoff [length]
-    most : way in one step that is too long [length]
-    periodic_x, periodic_y : of the box
-    gx, gy : acceleration of all discs [length/time²]
-    """
-
-    time_step: float
-    skin: float
-    most: float
-    periodic_x: bool
-    periodic_y: bool
-    gx: float
-    gy: float
-
-
-@inlined_kernel
-def _box(crowd: Crowd, rule: Rule) -> Box:
-    return Box(crowd.room.size[0], crowd.room.size[1], rule.periodic_x, rule.periodic_y)
-
-
-@bare_kernel
-def _sort(crowd: Crowd, terms: Terms, rule: Rule, gas: Gas, walls: Walls | None) -> int:
-    """Bring all atoms back into the box, sort them and lay out the slots; 0, or 1 if room is short."""
-    atoms, slots, lists, strips, room = crowd
-    n, reach, box = room.stage[1], terms.reach + rule.skin, _box(crowd, rule)
-    wrap(atoms, box, 0, n)
-    if not divide(strips, box, reach):
-        return 1
-    sort_atoms(atoms, box, strips, room)
-    if walls is not None and not list_walls(walls, atoms, gas, box, n, rule.skin):
-        return 1
-    return 0 if lay_out(atoms, slots, lists, box, strips, reach) else 1
-
-
-@inlined_kernel
-def _list(crowd: Crowd, terms: Terms, rule: Rule, begin: int, end: int, thread: int, threads: int) -> int:
-    """List the neighbours of this thread's atoms; 0, or 1 if room is short."""
-    reach = terms.reach + rule.skin
-    found = list_neighbours(
-        crowd.atoms,
-        crowd.slots,
-        crowd.lists,
-        _box(crowd, rule),
-        crowd.strips,
-        reach,
-        begin,
-        end,
-        thread,
-        threads,
-    )
-    return 0 if found else 1
-
-
-@bare_kernel
-def prepare(
-    crowd: Crowd,
-    terms: Terms,
-    rule: Rule,
-    bath: Bath,
-    gas: Gas,
-    walls: Walls | None,
-    book: Ledger,
-    books: Books,
-    present: NDArray[np.float64],
-) -> int:
-    """List neighbours at the places of the atoms, put them where they are at present, and find forces and energies.
-
-    present : (n, 2) places by row of the state, for a run that goes on; empty to leave the atoms where they are
-
-    Returns
-    -------
-    DONE or GROW.
-    """
-    atoms, slots, lists, _, room = crowd
-    n = room.stage[1]
-    if _sort(crowd, terms, rule, gas, walls) or _list(crowd, terms, rule, 0, n, 0, 1):
-        return GROW
-    if present.shape[0] > 0:
-        for k in range(n):
-            atoms.x[k], atoms.y[k] = present[atoms.row[k], 0], present[atoms.row[k], 1]
-        publish(atoms, slots, 0, slots.size[0])
-    push(atoms, slots, lists, terms, rule.gx, rule.gy, True, 0, n)
-    if walls is not None and walls.strength > 0.0:
-        push_back(walls, atoms, gas, _box(crowd, rule), book, 0.0)
-    sum_blocks(atoms, room, True, 0, room.sums.shape[0])
-    sums = sum_atoms(bath, room)
-    books.now[0], books.now[1], books.now[2] = sums.potential, sums.virial, sums.kinetic
-    return DONE
 
 
 @bare_kernel
@@ -254,12 +154,14 @@ def advance(
                 drift(atoms, half, begin, end)
             else:
                 drift(atoms, step_time, begin, end)
-            stage = LOOK if walls is None else TURN
+            stage = LOOK
+            if walls is not None and walls.strength == 0.0:
+                stage = TURN
         if stage == TURN and walls is not None:
             meet(flag, thread, threads)
             if thread == 0:
                 time = (step + 1) * step_time
-                room.full[threads] = turn_round(walls, atoms, gas, _box(crowd, rule), book, time)
+                room.full[threads] = turn_round(walls, atoms, gas, box_of(crowd, rule), book, time, step_time)
             meet(flag, thread, threads)
             if room.full[threads]:
                 status = FULL
@@ -280,10 +182,10 @@ def advance(
         if stage in (LIST, LIST_AGAIN):
             room.full[thread] = 0
             if thread == 0:
-                room.full[threads] = _sort(crowd, terms, rule, gas, walls)
+                room.full[threads] = sort_all(crowd, terms, rule, gas, walls)
             meet(flag, thread, threads)
             if not room.full[threads]:
-                room.full[thread] = _list(crowd, terms, rule, begin, min(end, n), thread, threads)
+                room.full[thread] = list_share(crowd, terms, rule, begin, min(end, n), thread, threads)
             meet(flag, thread, threads)
             if _any_full(crowd, threads):
                 status = GROW
@@ -296,7 +198,7 @@ def advance(
             if walls is not None and walls.strength > 0.0:
                 meet(flag, thread, threads)
                 if thread == 0:
-                    push_back(walls, atoms, gas, _box(crowd, rule), book, step_time)
+                    push_back(walls, atoms, gas, box_of(crowd, rule), book, step_time)
                 meet(flag, thread, threads)
             kick(atoms, half, begin, end)
             stage = MOVE
@@ -322,5 +224,5 @@ def advance(
     if thread == 0:
         room.stage[0], clock[0] = stage, step
     if status == DONE:
-        show(atoms, gas, _box(crowd, rule), begin, min(end, n))
+        show(atoms, gas, box_of(crowd, rule), begin, min(end, n))
     return status

@@ -1,8 +1,8 @@
 """Walls under forces: discs near one are listed with it; then they turn round there, or are pushed back smoothly.
 
-A centre turns round one radius before a wall: what it would have flown beyond is mirrored, so that kinetic energy stays
-to the bit of a square root, and the step is reversible. A smooth wall pushes with the repulsive part of a Lennard-Jones
-force, (strength) 4 [(r/d)^12 - (r/d)^6] + 1 up to a distance d = 2^(1/6) r, with the radius r of the disc.
+A centre turns round one radius before a wall, at the time within the step at which it comes there. A smooth wall pushes
+as the repulsive part of a Lennard-Jones force does, with the potential strength (4 [(2r/d)^12 - (2r/d)^6] + 1) up to
+d = 2^(1/6) 2r: r is the radius of the disc, d the distance of its centre from a line one radius behind the wall.
 
 All is done by one thread in the order of the atoms, and costs only who is near a wall.
 """
@@ -105,7 +105,7 @@ def list_walls(walls: Walls, atoms: Atoms, gas: Gas, box: Box, n: int, skin: flo
     """List who may touch a wall before the next time; False if there is too little room."""
     hall, count = walls.hall, 0
     across, along = 1 if box.periodic_x else 0, 1 if box.periodic_y else 0
-    wide = _SMOOTH if walls.strength > 0.0 else 1.0
+    wide = 2.0 * _SMOOTH - 1.0 if walls.strength > 0.0 else 1.0
     for k in range(n):
         reach = wide * gas.radius[atoms.row[k]] + skin
         for e in range(hall.kind.shape[0]):
@@ -136,7 +136,9 @@ def _approach(walls: Walls, entry: int, atoms: Atoms, box: Box) -> tuple[int, in
 
 
 @bare_kernel
-def turn_round(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time: float) -> int:
+def turn_round(
+    walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time: float, time_step: float
+) -> int:
     """Mirror whoever has come nearer to a wall than its radius; a thermal wall gives it a new velocity.
 
     Twice over, since the second of two walls in a corner may send a disc back through the first.
@@ -149,7 +151,7 @@ def turn_round(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, tim
     while cursor[0] < 2 * near:
         if book.kind.shape[0] > 0 and book.rows[0] >= book.kind.shape[0]:
             return 1
-        _mirror(walls, cursor[0] % near, cursor[0], atoms, gas, box, book, time)
+        _mirror(walls, cursor[0] % near, cursor[0], atoms, gas, box, book, time, time_step)
         cursor[0] += 1
     cursor[0] = 0
     return 0
@@ -157,28 +159,47 @@ def turn_round(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, tim
 
 @inlined_kernel
 def _mirror(
-    walls: Walls, entry: int, salt: int, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time: float
+    walls: Walls,
+    entry: int,
+    salt: int,
+    atoms: Atoms,
+    gas: Gas,
+    box: Box,
+    book: Ledger,
+    time: float,
+    time_step: float,
 ) -> None:
-    """Turn round the disc of one entry of the list, if it is too near."""
+    """Turn round the disc of one entry of the list, if it is too near.
+
+    It met the wall a while t before the end of the step. The half kicks before and after the drift know nothing of
+    that: with the acceleration a along the normal, place and speed at the end lack a t² and a (2t - time_step).
+    """
     hall, result = walls.hall, walls.hall.result
     k, e, nx, ny, away = _approach(walls, entry, atoms, box)
     row, mass, number = atoms.row[k], atoms.mass[k], hall.kind[e, WALL]
     deep = gas.radius[row] - away
     if not deep > 0.0:
         return
-    atoms.x[k] += 2.0 * deep * nx
-    atoms.y[k] += 2.0 * deep * ny
     vx, vy = atoms.vx[k], atoms.vy[k]
     vn, vt = vx * nx + vy * ny, vy * nx - vx * ny
     if vn >= 0.0:
+        atoms.x[k] += 2.0 * deep * nx
+        atoms.y[k] += 2.0 * deep * ny
         return
-    out, slide = -vn, vt
+    after = min(deep / -vn, time_step)
+    push = (atoms.fx[k] * nx + atoms.fy[k] * ny) / mass
+    out, slide, late = -vn, vt, push * (2.0 * after - time_step)
     result[3] = result[4] = result[5] = 0.0
     if hall.wall[number, TEMPERATURE] >= 0.0:
         out, slide = thermal_speeds(hall, number, mass, book.id[row], time, float(salt))
+        late = push * (after - 0.5 * time_step)
         result[4] = 0.5 * mass * (out * out + slide * slide - vn * vn - vt * vt)
-    atoms.vx[k], atoms.vy[k] = out * nx - slide * ny, out * ny + slide * nx
+    lift = deep + out * after + push * after * after
+    atoms.x[k] += lift * nx
+    atoms.y[k] += lift * ny
     result[2] = mass * (out - vn)
+    out += late
+    atoms.vx[k], atoms.vy[k] = out * nx - slide * ny, out * ny + slide * nx
     jx, jy = mass * (atoms.vx[k] - vx), mass * (atoms.vy[k] - vy)
     book_hall(book, gas.species[row], row, number, time, jx, jy, result)
 
@@ -191,11 +212,12 @@ def push_back(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time
         k, e, nx, ny, away = _approach(walls, entry, atoms, box)
         row = atoms.row[k]
         r = gas.radius[row]
-        if away >= _SMOOTH * r:
+        behind = away + r
+        if behind >= _SMOOTH * 2.0 * r:
             continue
-        s2 = (r / away) ** 2
+        s2 = (2.0 * r / behind) ** 2
         s6 = s2 * s2 * s2
-        force = walls.strength * 24.0 * s6 * (2.0 * s6 - 1.0) / away
+        force = walls.strength * 24.0 * s6 * (2.0 * s6 - 1.0) / behind
         atoms.fx[k] += force * nx
         atoms.fy[k] += force * ny
         atoms.u[k] += walls.strength * (4.0 * s6 * (s6 - 1.0) + 1.0)

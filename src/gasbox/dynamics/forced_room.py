@@ -1,0 +1,95 @@
+"""Room for the tables of the forced rule: how much seems right, and more when it was not enough."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gasbox.kernels import forced
+from gasbox.kernels.hall import Hall
+from gasbox.state import State
+
+__all__ = ["Tables"]
+
+_FEWEST = 16.0
+"""Entries in the list of an atom, at least, that there is room for at first."""
+_EXPECTED = 2.0
+"""Slots for each disc and image that an even distribution would need, at first."""
+
+
+class Tables:
+    """Atoms of a state, and everything that is made anew as they move.
+
+    Parameters
+    ----------
+    state : the particles
+    size : (2,) float64, width and height of the box [length]
+    periodic : (2,) bool
+    reach : of the lists, skin included [length]
+    threads : how many share the work
+    hall, wall_strength : walls, if there are any, and how they push
+
+    Attributes
+    ----------
+    crowd, walls : what the kernels take
+    """
+
+    def __init__(
+        self,
+        state: State,
+        size: tuple[float, float],
+        periodic: tuple[bool, bool],
+        reach: float,
+        threads: int,
+        hall: Hall | None,
+        wall_strength: float,
+    ) -> None:
+        self._count = state.count
+        self._periodic, self._reach, self._threads = periodic, reach, threads
+        self._hall, self._wall_strength = hall, wall_strength
+        around = state.count * (2.0 * reach) ** 2 / (size[0] * size[1])
+        self._entries, self._slots = max(_FEWEST, around / 2.0), _EXPECTED
+        self._thickness = reach / max(1, round(around / 20.0))
+        self._atoms = forced.atoms(state)
+        self._make(size)
+
+    def _make(self, size: tuple[float, float]) -> None:
+        strips = forced.strips(size[1], self._reach, self._thickness, self._threads)
+        images = 1.0
+        if self._periodic[0]:
+            images *= 1.0 + 2.0 * self._reach / size[0]
+        if self._periodic[1]:
+            images *= 1.0 + 2.0 * (self._reach + self._thickness) / size[1]
+        slots = forced.slots(int(self._slots * self._count * images) + 16 * strips.slot.shape[0] + 64)
+        # Each thread fills a part of its own, and stops when all strips around an atom might not fit.
+        spare = self._threads * slots.x.shape[0]
+        lists = forced.lists(self._count, int(self._entries * (self._count + 64)) + spare)
+        room = forced.room(self._count, size, self._threads)
+        self.crowd = forced.Crowd(self._atoms, slots, lists, strips, room)
+        self.walls: forced.Walls | None = None
+        if self._hall is not None:
+            near = int(self._slots * (128 + 2 * self._count))
+            self.walls = forced.walls(self._hall, self._wall_strength, near)
+
+    def grow(self) -> None:
+        """Room for twice as much, with the same atoms in the same stage of a step."""
+        room, walls = self.crowd.room, self.walls
+        self._slots *= 2.0
+        self._entries *= 2.0
+        self._make((float(room.size[0]), float(room.size[1])))
+        new = self.crowd.room
+        new.stage[:], new.before[:], new.sums[:] = room.stage, room.before, room.sums
+        if walls is not None and self.walls is not None:
+            self.walls.cursor[:] = walls.cursor
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the box as it is now [length]."""
+        width, height = self.crowd.room.size
+        return float(width), float(height)
+
+    def by_row(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """(n, 2) float64: two columns of the atoms in the order of the state."""
+        found = np.zeros((self._count, 2))
+        rows = self._atoms.row[: self._count]
+        found[rows, 0], found[rows, 1] = x[: self._count], y[: self._count]
+        return found
