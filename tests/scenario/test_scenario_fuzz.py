@@ -2,8 +2,10 @@
 
 import gzip
 import json
+from copy import deepcopy
 
 import pytest
+from forced_scenarios import FULL
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -21,7 +23,8 @@ LEAVES = (
     | st.sampled_from(["x", "stepped", "rectangle", "circle", "gasbox-scenario/1", 10**400, -0.0, "\ud800"])
 )
 WORDS = """format seed container width height periodic shape species name radius count temperature velocities region
-particles position dynamics kind snapshot memory tallies time gravity histograms color $schema frame_interval"""
+particles position dynamics kind snapshot memory tallies time gravity histograms color $schema frame_interval
+forces thermostat barostat heating units lattice sigma epsilon charge cutoff pairs charges"""
 KEYS = st.text(max_size=4) | st.sampled_from(WORDS.split())
 JSON = st.recursive(
     LEAVES, lambda inner: st.lists(inner, max_size=4) | st.dictionaries(KEYS, inner, max_size=5)
@@ -60,10 +63,8 @@ def test_any_text(data):
     accepts_or_refuses(data)
 
 
-@FUZZ
-@given(st.sampled_from(shipped()), st.data())
-def test_shipped_scenarios_with_something_changed(name, data):
-    scenario = load(name).to_dict()
+def change_something(scenario, data):
+    """Put anything in the place of something, or take it away."""
     place = scenario
     while isinstance(place, dict | list) and place:
         keys = sorted(place) if isinstance(place, dict) else range(len(place))
@@ -75,6 +76,22 @@ def test_shipped_scenarios_with_something_changed(name, data):
                 del place[key]
             break
         place = place[key]
+
+
+@FUZZ
+@given(st.sampled_from(shipped()), st.data())
+def test_shipped_scenarios_with_something_changed(name, data):
+    scenario = load(name).to_dict()
+    change_something(scenario, data)
+    accepts_or_refuses(scenario)
+
+
+@settings(FUZZ, max_examples=400)
+@given(st.data())
+def test_forces_with_something_changed(data):
+    scenario = deepcopy(FULL)
+    scenario["species"][0]["lattice"] = 1.1
+    change_something(scenario, data)
     accepts_or_refuses(scenario)
 
 

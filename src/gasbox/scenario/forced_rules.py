@@ -7,7 +7,6 @@ from typing import Final
 
 from gasbox.errors import Problem
 from gasbox.geometry import Rectangle
-from gasbox.scenario.baths import starting_temperature
 from gasbox.scenario.dynamics import Forced
 from gasbox.scenario.forces import Forces
 from gasbox.scenario.mixing import laws_of
@@ -123,11 +122,13 @@ def _walls(parts: Parts) -> Iterator[Problem]:
 
 
 def _thermostat(parts: Parts) -> Iterator[Problem]:
-    """A thermostat that is to keep the temperature of the start, where there is none."""
+    """A thermostat that is to keep the temperature of the start, where nothing moves."""
     if parts.thermostat is None or parts.thermostat.temperature is not None or parts.names is None:
         return
-    if starting_temperature([entry for entry in parts.species if entry is not None]) is None:
-        allowed = "is required: no species starts with a temperature that it could keep"
+    counted = [entry for entry in parts.species if entry is not None and entry.count]
+    warm = any(entry.temperature is not None or entry.speed or entry.velocities for entry in counted)
+    if not warm and parts.particles is None:
+        allowed = "is required: nothing starts with a temperature that it could keep"
         yield Problem("thermostat.temperature", "nothing", allowed)
 
 

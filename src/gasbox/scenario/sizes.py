@@ -16,12 +16,12 @@ from gasbox.scenario.species import Species
 __all__ = ["region_problems", "size_problems"]
 
 _FINEST: Final = 1e-9
-"""Least radius over the longest side: below it, positions in double precision are too coarse."""
+"""Least radius or spacing over the longest side: below it, positions in double precision are too coarse."""
 _HALVINGS: Final = 20
 
 
 def size_problems(geometry: Geometry, species: Sequence[Species | None]) -> Iterator[Problem]:
-    """Diameters larger than the box (walled or periodic), discs without room, and radii too small to resolve."""
+    """Diameters larger than the box (walled or periodic), discs without room, and what is too small to resolve."""
     longest = max(geometry.width, geometry.height)
     for number, entry in enumerate(species):
         if entry is None:
@@ -35,6 +35,9 @@ def size_problems(geometry: Geometry, species: Sequence[Species | None]) -> Iter
         if entry.radius < _FINEST * longest:
             allowed = f"at least {_FINEST * longest:g}, {_FINEST:g} of the container's longest side"
             yield Problem(path, f"{entry.radius:g}", allowed)
+        if entry.lattice is not None and entry.lattice < _FINEST * longest:
+            allowed = f"at least {_FINEST * longest:g}, {_FINEST:g} of the container's longest side"
+            yield Problem(f"species[{number}].lattice", f"{entry.lattice:g}", allowed)
 
 
 def _too_wide(path: str, geometry: Geometry, entry: Species) -> Iterator[Problem]:
