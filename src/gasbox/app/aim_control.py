@@ -11,6 +11,7 @@ from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
 from gasbox.app.aims import Aim
+from gasbox.app.asked import Asked
 from gasbox.app.wording import number
 
 __all__ = ["AimControl", "Kind"]
@@ -52,7 +53,9 @@ class AimControl:
         self._now: float | None = None
         """What the gas has by itself: where the aim begins when it is switched on."""
         self._reference = 1.0
+        self._real: Callable[[float], str] = lambda _: ""
         self._showing = False
+        self._asked = Asked()
         name, device = kind.name, kind.device
         with (
             ui.element("div")
@@ -87,41 +90,49 @@ class AimControl:
                 box.props("dense outlined hide-bottom-space debounce=600")
             ui.label(f"The {device} goes there evenly, in this time.").classes("hint")
 
-    def begin(self, reference: float | None) -> None:
-        """Another gas: the slider is around this value."""
-        self._reference = reference or 1.0
+    def begin(self, reference: float | None, real: Callable[[float], str]) -> None:
+        """Another gas.
+
+        Parameters
+        ----------
+        reference : the slider is around this value
+        real : says a value in real units, or nothing
+        """
+        self._reference, self._real = reference or 1.0, real
         self._aim = None
         self._over.set_value(0)
-        self._draw(0.0, "")
+        self._draw(0.0)
 
-    def show(self, aim: Aim | None, time: float, now: float | None, real: str) -> None:
+    def show(self, aim: Aim | None, time: float, now: float | None) -> None:
         """Show what is aimed at.
 
         Parameters
         ----------
         now : what the gas has, as measured
-        real : the aim in real units, or nothing
         """
-        self._aim, self._now = aim, now
-        self._draw(time, real)
+        self._now = now
+        if not self._asked.is_old(None if aim is None else aim.goal):
+            self._aim = aim
+            self._draw(time)
 
     def toggle(self) -> None:
         """Switch it off, or on: at what it was, or at what the gas has."""
         if self._aim is not None:
-            self._send(None, 0.0)
+            self._ask(None)
             return
         value = self._goal.value
         if value is None:
             value = self._now if self._now is not None and self._now > 0.0 else self._reference
-        self._send(float(f"{value:.3g}"), 0.0)
+        self._ask(float(f"{value:.3g}"))
 
-    def _draw(self, time: float, real: str) -> None:
+    def _draw(self, time: float) -> None:
         aim, sign = self._aim, self._kind.sign
         if aim is None:
             text = f"{self._kind.device} off"
         else:
             at = aim.at(time)
             text = f"{sign} → {number(aim.goal)}" if at != aim.goal else f"{sign} = {number(at)}"
+            real = self._real(aim.goal)
             text += f" · {real}" if real else ""
         if self._text.text != text:
             self._text.set_text(text)
@@ -146,4 +157,10 @@ class AimControl:
 
     def _lead(self, goal: float, over: float = 0.0) -> None:
         if self._aim is None or goal != self._aim.goal:
-            self._send(goal, max(over, 0.0))
+            self._ask(goal, max(over, 0.0))
+
+    def _ask(self, goal: float | None, over: float = 0.0) -> None:
+        self._asked.ask(goal)
+        self._aim = None if goal is None else Aim(goal)
+        self._draw(0.0)
+        self._send(goal, over)

@@ -8,6 +8,7 @@ from typing import Final
 from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
+from gasbox.app.asked import Asked
 from gasbox.app.wording import number
 
 __all__ = ["HOLDS", "HeatControl"]
@@ -36,6 +37,7 @@ class HeatControl:
         """The power while nothing is held down [energy/time]."""
         self._held = ""
         self._shown: float | None = None
+        self._asked = Asked()
         self._showing = False
         self._buttons: dict[str, ui.button] = {}
         with ui.element("div").classes("aim").props('role="group" aria-label="Heat"') as self.root:
@@ -79,11 +81,14 @@ class HeatControl:
 
     def show(self, power: float) -> None:
         """Show the power [energy/time] of the gas, unless it is the one shown."""
-        if power == self._shown:
+        if self._asked.is_old(power) or power == self._shown:
             return
-        self._shown = power
         if not self._held:
             self._steady = power
+        self._draw(power)
+
+    def _draw(self, power: float) -> None:
+        self._shown = power
         self._showing = True
         sign = "+" if power > 0 else ""
         self._text.set_text(f"heat {sign}{number(power)}" if power else "no heating")
@@ -99,7 +104,7 @@ class HeatControl:
         self._held = name if name in HOLDS else ""
         for key, button in self._buttons.items():
             button.classes(add="held") if key == self._held else button.classes(remove="held")
-        self._send(HOLDS[self._held] * self._unit if self._held else self._steady)
+        self._ask(HOLDS[self._held] * self._unit if self._held else self._steady)
 
     def _slid(self, event: ValueChangeEventArguments[float | None]) -> None:
         if self._showing or event.value is None:
@@ -114,4 +119,9 @@ class HeatControl:
     def _go(self, power: float) -> None:
         self._steady = power
         if power != self._shown:
-            self._send(power)
+            self._ask(power)
+
+    def _ask(self, power: float) -> None:
+        self._asked.ask(power)
+        self._draw(power)
+        self._send(power)

@@ -7,12 +7,11 @@ from typing import Final
 
 from nicegui import ui
 
+from gasbox.app import real_units
 from gasbox.app.aim_control import AimControl, Kind
 from gasbox.app.aims import Aim, Aims, aims_of, can_have_barostat, has_forces, power_unit
 from gasbox.app.figures import Figures
 from gasbox.app.heat_control import HeatControl
-from gasbox.app.real_units import pressure as real_pressure
-from gasbox.app.real_units import temperature as real_temperature
 from gasbox.app.sample import Sample
 from gasbox.state import Change, SetBarostat, SetHeating, SetThermostat
 
@@ -54,17 +53,19 @@ class Matter:
         aims = aims_of(sample.scenario, sample.changes)
         if sample.version != self._version:
             self._begin(sample, aims, figures)
-        units, time = sample.scenario.units, sample.time
-        real = real_temperature(units, _goal(aims.temperature))
-        self.temperature.show(aims.temperature, time, figures.temperature, real)
-        real = real_pressure(units, _goal(aims.pressure))
-        self.pressure.show(aims.pressure, time, figures.pressure, real)
+        self.temperature.show(aims.temperature, sample.time, figures.temperature)
+        self.pressure.show(aims.pressure, sample.time, figures.pressure)
         self.heat.show(aims.power)
 
     def _begin(self, sample: Sample, aims: Aims, figures: Figures) -> None:
         self._version = sample.version
-        self.temperature.begin(_goal(aims.temperature) or figures.temperature)
-        self.pressure.begin(_goal(aims.pressure) or figures.pressure_ideal)
+        units = sample.scenario.units
+        self.temperature.begin(
+            _goal(aims.temperature) or figures.temperature, lambda value: real_units.temperature(units, value)
+        )
+        self.pressure.begin(
+            _goal(aims.pressure) or figures.pressure_ideal, lambda value: real_units.pressure(units, value)
+        )
         self.pressure.root.set_visibility(can_have_barostat(sample.scenario, sample.geometry))
         self.heat.begin(power_unit(sample))
 
