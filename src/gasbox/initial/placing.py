@@ -17,7 +17,7 @@ from gasbox.initial.insertion import alike, insert_at_random, squeeze_in
 from gasbox.initial.lattice import place_on_lattice
 from gasbox.initial.room import Room
 from gasbox.rng import Stream, generator
-from gasbox.scenario import Crowd, Forced, Placement, Scenario, centre_bounds
+from gasbox.scenario import MIXTURE_LIMIT, Crowd, Forced, Placement, Scenario, centre_bounds
 
 __all__ = ["place"]
 
@@ -28,8 +28,6 @@ _TRIES_EACH: Final = (25, 3, 0)
 _FACTORS: Final = (0.7, 0.5, 0.3)
 """Factors of the radii with which discs are squeezed in, in one attempt after the other."""
 
-_EASY: Final = 0.45
-"""Up to this area fraction discs of any sizes are soon placed between any walls."""
 _CLOSER: Final = (1.0, 0.8, 0.6)
 """Factors of the radii of discs that forces will push apart, in one attempt after the other."""
 
@@ -98,7 +96,7 @@ def _sizes(found: tuple[Crowd, ...]) -> tuple[float, ...]:
         return (1.0,)
     easy = all(crowd.plain and crowd.alone and crowd.one_size for crowd in found)
     densest = max((crowd.fraction for crowd in found), default=0.0)
-    first = 1.0 if easy else min(1.0, math.sqrt(_EASY / max(densest, _EASY)))
+    first = 1.0 if easy else min(1.0, math.sqrt(MIXTURE_LIMIT / max(densest, MIXTURE_LIMIT)))
     return tuple(first * factor for factor in _CLOSER)
 
 
