@@ -228,7 +228,6 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
         ("finding events", lambda: build(_tiny("event-driven"))),
         ("event-driven dynamics", lambda: _run_tiny("event-driven")),
         ("forced dynamics", lambda: _run_tiny("forced")),
-        ("forced dynamics, periodic boxes", _run_crystal),
         ("stepped dynamics, walls of any shape", lambda: _run_tiny("stepped", enclosed=True)),
         ("event-driven dynamics, walls of any shape", lambda: _run_tiny("event-driven", enclosed=True)),
     ]
@@ -269,19 +268,6 @@ def _part_tiny() -> None:
     state.position[1] = state.position[0] + 0.01
     worst_overlap(state, geometry)
     separate(state, geometry)
-
-
-def _run_crystal() -> None:
-    box = {"shape": "rectangle", "width": 8, "height": 8, "periodic": ["x", "y"]}
-    atom = {"name": "atom", "radius": 0.5, "count": 9, "temperature": 1}
-    data = {
-        "format": "gasbox-scenario/1",
-        "container": box,
-        "species": [atom],
-        "dynamics": {"kind": "forced"},
-    }
-    parts = build(parse(data))
-    parts.dynamics.advance(parts.state, 0.1)
 
 
 def _run_tiny(kind: str, enclosed: bool = False) -> None:

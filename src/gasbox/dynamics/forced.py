@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from gasbox.dynamics.baths import Drive, degrees_of_freedom, drive_of
 from gasbox.dynamics.changes import as_enclosure
 from gasbox.dynamics.forced_room import Tables
-from gasbox.dynamics.halls import make_hall
 from gasbox.dynamics.team import Team, fitting_threads
 from gasbox.errors import DynamicsError, UsageError
 from gasbox.geometry import Geometry
 from gasbox.geometry.conserved import conserved_momentum
 from gasbox.kernels import arguments, forced
+from gasbox.kernels.hall import hall
 from gasbox.protocols import Status
 from gasbox.scenario import Barostat, Heating, Thermostat
 from gasbox.state import Contacts, Control, Memory, State, Tallies
@@ -27,6 +27,8 @@ _SKIN = 0.4
 """By which lists reach beyond the largest cutoff, in units of the smallest sigma."""
 _MOST = 0.25
 """Way in one step, in units of the smallest sigma, that no sensible step makes."""
+# Without the JIT, NumPy would warn where kernels divide by zero in lanes that are then not chosen.
+_plain = np.errstate(divide="ignore", over="ignore", invalid="ignore")
 
 
 @dataclass(frozen=True)
@@ -126,13 +128,10 @@ class Forced:
     def _enter(self, state: State, geometry: Geometry) -> None:
         """Take over a geometry."""
         self._geometry = geometry
-        hall = None
-        if geometry.is_walled or np.any(geometry.gravity):
-            enclosure = as_enclosure(geometry)
-            if enclosure.moves or any(wall.open or wall.passes is not None for wall in enclosure.walls):
-                raise UsageError("under forces no wall moves, is open or lets some pass")
-            hall = make_hall(enclosure, self.tallies.pair_collisions.shape[0], self._seed)
-        self._hall = hall
+        enclosure = as_enclosure(geometry)
+        if enclosure.moves or any(wall.open or wall.passes is not None for wall in enclosure.walls):
+            raise UsageError("under forces no wall moves, is open or lets some pass")
+        self._hall = hall(enclosure, self.tallies.pair_collisions.shape[0], self._seed)
         drifts = conserved_momentum(geometry)
         self._bath = forced.Bath(
             self._drive.values,
@@ -160,9 +159,8 @@ class Forced:
         threads = self._threads or fitting_threads(state.count)
         if self._team is None or self._team.wanted != threads:
             self._team = Team(threads)
-        present, start = np.zeros((0, 2)), state
+        start = state
         if memory is not None:
-            present = np.asarray(memory["position"], np.float64)
             start = state.copy()
             start.position = np.asarray(memory["built"], np.float64).reshape(-1, 2)
         self._tables = Tables(
@@ -175,23 +173,12 @@ class Forced:
             self.settings.wall_strength,
         )
         self._books = forced.books(self.tallies)
-        while self._call_prepare(state, present) == forced.GROW:
-            self._tables.grow()
+        self._tables.crowd.room.stage[0] = forced.LIST_FIRST
+        self._go(state, int(self._clock[0]))
+        if memory is not None:
+            self._tables.put(np.asarray(memory["position"], np.float64))
+        self._go(state, int(self._clock[0]))
         self._show(state)
-
-    def _call_prepare(self, state: State, present: NDArray[np.float64]) -> int:
-        count = np.array([self.contacts.count], np.int64)
-        return forced.prepare(
-            self._tables.crowd,
-            self.settings.terms,
-            self._rule,
-            self._bath,
-            arguments.gas(state),
-            self._tables.walls,
-            arguments.ledger(self.tallies, self.contacts, count, state),
-            self._books,
-            present,
-        )
 
     # -- motion ----------------------------------------------------------------------------------------
 
@@ -205,12 +192,7 @@ class Forced:
 
     def advance(self, state: State, until: float) -> Status:
         """Take whole steps up to the last one at or before `until` [time]."""
-        target = self.step_at(until)
-        while True:
-            status = self._take_steps(state, target)
-            if status != forced.GROW:
-                break
-            self._tables.grow()
+        status = self._go(state, self.step_at(until))
         if status == forced.TOO_FAR:
             self._explain(state)
         state.time = self._time
@@ -219,6 +201,13 @@ class Forced:
         self._show(state)
         return Status.DONE
 
+    def _go(self, state: State, target: int) -> int:
+        """Let the kernel go on to a step, or to where it needs something other than room."""
+        while (status := self._take_steps(state, target)) == forced.GROW:
+            self._tables.grow()
+        return status
+
+    @_plain
     def _take_steps(self, state: State, target: int) -> int:
         """Let the kernel go on to a step, or to where it needs something."""
         assert self._team is not None

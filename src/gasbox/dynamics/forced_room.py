@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gasbox.kernels import forced
 from gasbox.kernels.hall import Hall
@@ -26,7 +27,7 @@ class Tables:
     periodic : (2,) bool
     reach : of the lists, skin included [length]
     threads : how many share the work
-    hall, wall_strength : walls, if there are any, and how they push
+    hall, wall_strength : walls, and how they push
 
     Attributes
     ----------
@@ -40,7 +41,7 @@ class Tables:
         periodic: tuple[bool, bool],
         reach: float,
         threads: int,
-        hall: Hall | None,
+        hall: Hall,
         wall_strength: float,
     ) -> None:
         self._count = state.count
@@ -65,10 +66,8 @@ class Tables:
         lists = forced.lists(self._count, int(self._entries * (self._count + 64)) + spare)
         room = forced.room(self._count, size, self._threads)
         self.crowd = forced.Crowd(self._atoms, slots, lists, strips, room)
-        self.walls: forced.Walls | None = None
-        if self._hall is not None:
-            near = int(self._slots * (128 + 2 * self._count))
-            self.walls = forced.walls(self._hall, self._wall_strength, near)
+        near = int(self._slots * (128 + 2 * self._count)) if self._hall.kind.shape[0] else 0
+        self.walls = forced.walls(self._hall, self._wall_strength, near)
 
     def grow(self) -> None:
         """Room for twice as much, with the same atoms in the same stage of a step."""
@@ -78,8 +77,7 @@ class Tables:
         self._make((float(room.size[0]), float(room.size[1])))
         new = self.crowd.room
         new.stage[:], new.before[:], new.sums[:] = room.stage, room.before, room.sums
-        if walls is not None and self.walls is not None:
-            self.walls.cursor[:] = walls.cursor
+        self.walls.cursor[:] = walls.cursor
 
     @property
     def size(self) -> tuple[float, float]:
@@ -87,7 +85,12 @@ class Tables:
         width, height = self.crowd.room.size
         return float(width), float(height)
 
-    def by_row(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    def put(self, position: NDArray[np.float64]) -> None:
+        """Put all atoms to these places (n, 2), in the order of the state; the lists stay."""
+        rows = self._atoms.row[: self._count]
+        self._atoms.x[: self._count], self._atoms.y[: self._count] = position[rows].T
+
+    def by_row(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
         """(n, 2) float64: two columns of the atoms in the order of the state."""
         found = np.zeros((self._count, 2))
         rows = self._atoms.row[: self._count]

@@ -1,13 +1,16 @@
 """Kernels of the forced rule: discs that attract and repel each other, by velocity Verlet."""
 
-from gasbox.kernels.forced.advance import TOO_FAR, advance
+from gasbox.kernels.forced.advance import FORCE_FIRST, LIST_FIRST, LISTED, TOO_FAR, advance
 from gasbox.kernels.forced.bath import Bath
-from gasbox.kernels.forced.prepare import GROW, Rule, prepare
+from gasbox.kernels.forced.lists_anew import GROW, Rule
 from gasbox.kernels.forced.tables import Crowd, Terms, atoms, books, lists, room, slots, strips
 from gasbox.kernels.forced.walls import Walls, walls
 
 __all__ = [
+    "FORCE_FIRST",
     "GROW",
+    "LISTED",
+    "LIST_FIRST",
     "TOO_FAR",
     "Bath",
     "Crowd",
@@ -18,7 +21,6 @@ __all__ = [
     "atoms",
     "books",
     "lists",
-    "prepare",
     "room",
     "slots",
     "strips",

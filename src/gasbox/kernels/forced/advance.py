@@ -25,22 +25,25 @@ from gasbox.kernels.forced.bath import (
     sum_atoms,
     sum_blocks,
 )
+from gasbox.kernels.forced.lists_anew import GROW, Rule, box_of, list_share, sort_all
 from gasbox.kernels.forced.motion import drift, furthest, kick, publish, scale, show
-from gasbox.kernels.forced.prepare import GROW, Rule, box_of, list_share, sort_all
 from gasbox.kernels.forced.push import push
 from gasbox.kernels.forced.tables import BLOCK, Books, Crowd, Terms
 from gasbox.kernels.forced.walls import Walls, push_back, turn_round
 from gasbox.kernels.team import meet, share
 
-__all__ = ["GONE", "TOO_FAR", "advance"]
+__all__ = ["FORCE_FIRST", "GONE", "LISTED", "LIST_FIRST", "TOO_FAR", "advance"]
 
 TOO_FAR = 21
 """Status: a disc has flown too far in one step."""
 GONE = 22
 """Status: not all threads of the team came."""
 
-MOVE, TURN, LOOK, LIST, FORCE, LIST_AGAIN, FORCE_AGAIN = range(7)
-"""Stages of a step; the last two follow a change of the area."""
+LISTED = 23
+"""Status: the first lists are made; atoms may be put to where they are by now, and stage FORCE_FIRST is next."""
+
+MOVE, TURN, LOOK, LIST, FORCE, LIST_AGAIN, FORCE_AGAIN, LIST_FIRST, FORCE_FIRST = range(9)
+"""Stages of a step; AGAIN follows a change of the area, FIRST comes before all steps."""
 
 
 @bare_kernel
@@ -104,6 +107,32 @@ def _any_full(crowd: Crowd, threads: int) -> bool:
     return full > 0
 
 
+@inlined_kernel
+def _force(
+    crowd: Crowd,
+    terms: Terms,
+    rule: Rule,
+    gas: Gas,
+    walls: Walls,
+    book: Ledger,
+    measured: bool,
+    time: float,
+    begin: int,
+    end: int,
+    flag: NDArray[np.int64],
+    thread: int,
+    threads: int,
+) -> None:
+    """Forces on this thread's atoms; smooth walls book the impulse of a time `time`."""
+    atoms, slots, lists, _, _ = crowd
+    push(atoms, slots, lists, terms, rule.gx, rule.gy, measured, begin, end)
+    if walls.strength > 0.0:
+        meet(flag, thread, threads)
+        if thread == 0:
+            push_back(walls, atoms, gas, box_of(crowd, rule), book, time)
+        meet(flag, thread, threads)
+
+
 @bare_kernel
 def advance(
     crowd: Crowd,
@@ -111,7 +140,7 @@ def advance(
     rule: Rule,
     bath: Bath,
     gas: Gas,
-    walls: Walls | None,
+    walls: Walls,
     book: Ledger,
     books: Books,
     clock: NDArray[np.int64],
@@ -124,7 +153,6 @@ def advance(
 
     Parameters
     ----------
-    walls : of an enclosure; None for a periodic box, for which the kernel is compiled apart
     clock : (1,) int64, steps done; counted on here
     target : step to stop at
     flag : where the team meets, new for each call (`gasbox.kernels.team`)
@@ -132,11 +160,11 @@ def advance(
 
     Returns
     -------
-    DONE, FULL (read the contacts, call again), GROW, TOO_FAR or GONE; the same for each thread.
+    DONE, FULL (read the contacts, call again), GROW, LISTED, TOO_FAR or GONE; the same for each thread.
 
-    Precondition: `prepare` was called since anything else was changed.
+    Precondition: in stage LIST_FIRST, atoms stand where the lists are to be made; in stage FORCE_FIRST, lists are made.
     """
-    atoms, slots, lists, _, room = crowd
+    atoms, slots, _, _, room = crowd
     # What other threads may change is read before the first meeting.
     stage, step, n = room.stage[0], clock[0], room.stage[1]
     first, last = share(room.sums.shape[0], thread, threads)
@@ -154,10 +182,8 @@ def advance(
                 drift(atoms, half, begin, end)
             else:
                 drift(atoms, step_time, begin, end)
-            stage = LOOK
-            if walls is not None and walls.strength == 0.0:
-                stage = TURN
-        if stage == TURN and walls is not None:
+            stage = TURN if walls.strength == 0.0 and walls.hall.kind.shape[0] > 0 else LOOK
+        if stage == TURN:
             meet(flag, thread, threads)
             if thread == 0:
                 time = (step + 1) * step_time
@@ -175,11 +201,7 @@ def advance(
                 status = TOO_FAR
                 break
             stage = LIST if most > 0.25 * rule.skin * rule.skin else FORCE
-            if stage == FORCE:
-                begin_slot, end_slot = share(slots.size[0], thread, threads)
-                publish(atoms, slots, begin_slot, end_slot)
-            meet(flag, thread, threads)
-        if stage in (LIST, LIST_AGAIN):
+        elif stage in (LIST, LIST_AGAIN, LIST_FIRST):
             room.full[thread] = 0
             if thread == 0:
                 room.full[threads] = sort_all(crowd, terms, rule, gas, walls)
@@ -190,37 +212,39 @@ def advance(
             if _any_full(crowd, threads):
                 status = GROW
                 break
+            if stage == LIST_FIRST:
+                stage, status = FORCE_FIRST, LISTED
+                break
             stage = FORCE if stage == LIST else FORCE_AGAIN
-        if stage == FORCE:
-            step += 1
-            measured = step % EVERY == 0 or step == target
-            push(atoms, slots, lists, terms, rule.gx, rule.gy, measured, begin, min(end, n))
-            if walls is not None and walls.strength > 0.0:
-                meet(flag, thread, threads)
-                if thread == 0:
-                    push_back(walls, atoms, gas, box_of(crowd, rule), book, step_time)
-                meet(flag, thread, threads)
-            kick(atoms, half, begin, end)
-            stage = MOVE
+        if stage in (FORCE, FORCE_AGAIN, FORCE_FIRST):
+            begin_slot, end_slot = share(slots.size[0], thread, threads)
+            publish(atoms, slots, begin_slot, end_slot)
+            meet(flag, thread, threads)
+            steps = 1 if stage == FORCE else 0
+            step += steps
+            measured = step % EVERY == 0 or step == target or steps == 0
+            time, mine = steps * step_time, min(end, n)
+            _force(crowd, terms, rule, gas, walls, book, measured, time, begin, mine, flag, thread, threads)
+            if steps == 1:
+                kick(atoms, half, begin, end)
             if measured or bath.drive[THERMOSTAT] != OFF or bath.drive[POWER] != 0.0:
                 sum_blocks(atoms, room, measured, first, last)
                 meet(flag, thread, threads)
-                if _end(crowd, rule, bath, books, measured, step, first, last, thread):
-                    stage = LIST_AGAIN
+                changes = False
+                if steps == 1:
+                    changes = _end(crowd, rule, bath, books, measured, step, first, last, thread)
+                elif thread == 0:
+                    sums = sum_atoms(bath, room)
+                    books.now[0], books.now[1], books.now[2] = sums.potential, sums.virial, sums.kinetic
+                    if stage == FORCE_AGAIN:
+                        books.barostat_work[0] += sums.kinetic + sums.potential - room.before[0]
                 meet(flag, thread, threads)
-                if stage == LIST_AGAIN and thread == 0:
+                stage = LIST_AGAIN if changes else MOVE
+                if changes and thread == 0:
                     room.size[0] *= room.before[1]
                     room.size[1] *= room.before[1]
-        if stage == FORCE_AGAIN:
-            push(atoms, slots, lists, terms, rule.gx, rule.gy, True, begin, min(end, n))
-            sum_blocks(atoms, room, True, first, last)
-            meet(flag, thread, threads)
-            if thread == 0:
-                sums = sum_atoms(bath, room)
-                books.barostat_work[0] += sums.kinetic + sums.potential - room.before[0]
-                books.now[0], books.now[1], books.now[2] = sums.potential, sums.virial, sums.kinetic
-            meet(flag, thread, threads)
-            stage = MOVE
+            else:
+                stage = MOVE
     if thread == 0:
         room.stage[0], clock[0] = stage, step
     if status == DONE:
