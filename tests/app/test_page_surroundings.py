@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from nicegui.events import GenericEventArguments
 from simulated_lab import Lab
-from surroundings import DIVIDER, walled
+from surroundings import BOX, DIVIDER, matter, walled
 from test_page_studies import loaded
 
 from gasbox.geometry import Enclosure
@@ -111,6 +111,14 @@ async def test_a_divider_is_moved_by_a_number(lab: Lab) -> None:
     assert isinstance(moved, MoveWall)
     assert (moved.wall, moved.displacement) == ("divider", 3.0)
     await lab.until(lambda: lab.one("wall-4-value").text == "at 3.00")
+
+
+async def test_under_forces_walls_only_get_warmer_or_colder(lab: Lab) -> None:
+    await loaded(lab, matter(container=BOX, walls=EVERYTHING.walls, obstacles=[DIVIDER]))
+    await lab.until(lambda: [wall.index for wall in lab.page.surroundings.walls] == [0])
+    assert lab.one("wall-0-value").text == "T = 1.00"
+    lab.one("wall-0-temperature").set_value(0.5)
+    await lab.until(lambda: changes(lab) == [SetWall("stove", temperature=0.5)])
 
 
 async def test_what_cannot_be_done_is_said(lab: Lab) -> None:

@@ -31,14 +31,19 @@ __all__ = ["outline"]
 _PLAIN: dict[str, Any] = {"line": "solid", "temperature": None, "motion": None, "present": True}
 
 
-def outline(geometry: Geometry) -> dict[str, Any]:
-    """The parts ``container``, ``walls``, ``obstacles`` and ``gravity`` of a table message."""
+def outline(geometry: Geometry, *, handles: bool = True) -> dict[str, Any]:
+    """The parts ``container``, ``walls``, ``obstacles`` and ``gravity`` of a table message.
+
+    Parameters
+    ----------
+    handles : whether walls can be dragged at all
+    """
     enclosure = geometry if isinstance(geometry, Enclosure) else None
     return {
         "container": _container(geometry),
         "walls": [{"name": name, **_PLAIN} for name in geometry.wall_names]
         if enclosure is None
-        else [_wall(enclosure, number) for number in range(len(enclosure.walls))],
+        else [_wall(enclosure, number, handles) for number in range(len(enclosure.walls))],
         "obstacles": [] if enclosure is None else _obstacles(enclosure),
         "gravity": list(geometry.gravity),
     }
@@ -59,7 +64,8 @@ def _container(geometry: Geometry) -> dict[str, Any]:
             return {"shape": "rectangle", **box}
 
 
-def _wall(enclosure: Enclosure, number: int) -> dict[str, Any]:
+def _wall(enclosure: Enclosure, number: int, handles: bool) -> dict[str, Any]:
+    handles = handles and movable(enclosure, number)
     wall = enclosure.walls[number]
     line = "dashed" if wall.open else "solid" if wall.passes is None else "dotted"
     shown: dict[str, Any] = {
@@ -74,9 +80,9 @@ def _wall(enclosure: Enclosure, number: int) -> dict[str, Any]:
     if wall.motion is not None:
         shown["motion"] = "piston" if isinstance(wall.motion, Piston) else "driven"
         shown["reach"] = list(_reach(wall.motion))
-    if movable(enclosure, number):
+    if handles:
         shown["handle"] = True
-    if wall.motion is not None or movable(enclosure, number):
+    if wall.motion is not None or handles:
         shown["normal"] = list(enclosure.normal(number))
     return shown
 

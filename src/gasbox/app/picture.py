@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.app import protocol
+from gasbox.app.aims import has_forces
 from gasbox.app.look import Look
 from gasbox.app.sample import Bin, Followed
 from gasbox.geometry import Enclosure
@@ -21,7 +22,9 @@ __all__ = ["find", "frame", "lit", "table"]
 
 def table(simulation: Simulation, generation: int) -> str:
     """The text message with the surroundings and the species."""
-    return protocol.table(generation, simulation.geometry, simulation.scenario.species)
+    scenario = simulation.scenario
+    # Under forces walls stay where they are.
+    return protocol.table(generation, simulation.geometry, scenario.species, handles=not has_forces(scenario))
 
 
 def frame(

@@ -202,12 +202,12 @@ def decode_frame(message: bytes) -> WireFrame:
     )
 
 
-def table(generation: int, geometry: Geometry, species: Sequence[Species]) -> str:
+def table(generation: int, geometry: Geometry, species: Sequence[Species], *, handles: bool = True) -> str:
     """The text message with what stays the same from frame to frame: the surroundings and the species."""
     return notice(
         "table",
         generation=generation,
-        **outline(geometry),
+        **outline(geometry, handles=handles),
         species=[
             {
                 "name": one.name,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -81,7 +82,7 @@ class Pairs:
     def _fresh(sample: Sample) -> RadialDistribution:
         size = reach_of(sample) / REACH
         half = 0.5 * float(sample.geometry.at(sample.state.wall_displacement).size.min())
-        farthest = min(_FARTHEST * size, half)
+        farthest = float(f"{min(_FARTHEST * size, half):.3g}")
         return RadialDistribution(sample.geometry, len(sample.scenario.species), _BINS, farthest)
 
     def picture(self) -> Picture | None:
@@ -99,7 +100,7 @@ class Pairs:
             ]
         else:
             curves = [("g(r)", found.whole, str(species[0].color) if len(species) == 1 else None)]
-        end = float(found.r[-1])
+        end = round(float(found.r[0] + found.r[-1]), 9)  # half a bin further than the last middle
         traces = [
             Trace(name, np.column_stack([found.r, g]), "line", None, color)
             for name, g, color in curves
@@ -190,3 +191,11 @@ class Order(OverTime):
         """The colours are those of the discs."""
         named: list[tuple[str, str | None]] = list(PHASE_COLORS.items())
         return [*named, ("order |ψ₆|", INK)]
+
+    def picture(self) -> Picture | None:
+        """From 0 to 1, the order dashed."""
+        whole = super().picture()
+        if whole is None:
+            return None
+        *shares, order = whole.traces
+        return replace(whole, y=Axis(self.unit, 0.0, 1.0), traces=[*shares, replace(order, kind="dashed")])
