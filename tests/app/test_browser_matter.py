@@ -123,9 +123,9 @@ def test_charts_of_matter(open_page: Opened) -> None:
     for title in ("Heating curve", "Phases and order"):
         chart = page.locator(".study", has_text=title)
         expect(chart.locator("svg")).to_be_visible(timeout=60_000)
-    page.get_by_role("button", name="Charts").click()
-    page.get_by_label("Radial distribution g(r)").click()
-    page.get_by_label("Mean squared displacement").click()
+    page.get_by_role("button", name="Charts", exact=True).click()
+    page.get_by_role("checkbox", name="Radial distribution g(r)").click()
+    page.get_by_role("checkbox", name="Mean squared displacement").click()
     page.keyboard.press("Escape")
     expect(page.locator(".study svg")).to_have_count(4, timeout=60_000)
     page.wait_for_timeout(1500)

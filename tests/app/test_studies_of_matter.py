@@ -38,7 +38,7 @@ def test_phases_and_order_of_a_crystal() -> None:
     assert found["gas"] == pytest.approx(0.02)
     assert found["gas"] + found["liquid"] + found["solid"] == pytest.approx(1.0)
     assert found["solid"] > 0.7
-    assert found["order |ψ₆|"] > 0.8
+    assert found["order"] > 0.8
     assert not Order().suits(sample(FreeFlight(walled())))
 
 

@@ -79,6 +79,7 @@ class AimControl:
         with (
             ui.button(icon="more_horiz", color=None)
             .props(f'flat round dense aria-label="{device.capitalize()} in numbers"')
+            .classes("more")
             .mark(f"{name}-numbers"),
             ui.menu().props(f'aria-label="{device.capitalize()} in numbers"'),
             ui.element("div").classes("bins-form"),

@@ -63,6 +63,7 @@ class HeatControl:
         with (
             ui.button(icon="more_horiz", color=None)
             .props('flat round dense aria-label="Heating in numbers"')
+            .classes("more")
             .mark("heat-numbers"),
             ui.menu().props('aria-label="Heating in numbers"'),
             ui.element("div").classes("bins-form"),

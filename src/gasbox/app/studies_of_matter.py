@@ -190,7 +190,7 @@ class Order(OverTime):
     def curves(self, sample: Sample) -> list[tuple[str, str | None]]:
         """The colours are those of the discs."""
         named: list[tuple[str, str | None]] = list(PHASE_COLORS.items())
-        return [*named, ("order |ψ₆|", INK)]
+        return [*named, ("order", "var(--muted)")]
 
     def picture(self) -> Picture | None:
         """From 0 to 1, the order dashed."""
@@ -198,4 +198,9 @@ class Order(OverTime):
         if whole is None:
             return None
         *shares, order = whole.traces
-        return replace(whole, y=Axis(self.unit, 0.0, 1.0), traces=[*shares, replace(order, kind="dashed")])
+        return replace(
+            whole,
+            y=Axis(self.unit, 0.0, 1.0),
+            traces=[*shares, replace(order, kind="dashed")],
+            fact="order: |ψ₆| of all",
+        )

@@ -86,7 +86,7 @@ class Heating:
         stride = 1 + course.time.size // _POINTS
         traces = [_trace(name, pieces, stride) for name in self._names]
         return Picture(
-            Axis(f"heat added to each disc  ({UNIT['energy']})"),
+            Axis(f"heat added per disc  ({UNIT['energy']})"),
             Axis(f"temperature  ({UNIT['temperature']})", None),
             traces,
             _fact(course),
@@ -145,10 +145,10 @@ def _trace(name: str, pieces: list[_Piece], stride: int) -> Trace:
     points = np.vstack(rows)
     if name == _COOLING:
         return Trace(name, points, "dashed", None, INK)
-    return Trace(name, points, "line", None, PHASE_COLORS.get(name, INK))
+    return Trace(name, points, "line", None, PHASE_COLORS.get(name, "var(--muted)"))
 
 
 def _fact(course: HeatingCourse) -> str:
-    """Latent heats, as far as the whole curve shows them."""
+    """Latent heats per disc [energy], as far as the whole curve shows them."""
     found = {latent.name: latent.heat for latent in latent_heats(course)}
-    return " · ".join(f"{name} takes {number(heat, 2)}" for name, heat in found.items())
+    return " · ".join(f"{name} {number(heat, 2)}" for name, heat in found.items())
