@@ -19,7 +19,7 @@ __all__ = ["LammpsGas", "lammps_starts", "periodic_box"]
 _LISTS: Final = ((0.2, 0), (0.3, 0), (0.3, 5), (0.4, 5), (0.5, 5))
 """Skins of the list of neighbours [length], with steps in which nobody asks whether it is still good."""
 _TRIALS = 2
-_TRIED_STEPS, _TRIED_ATOM_STEPS = 40, 300_000
+_FEWEST_STEPS, _MOST_STEPS, _TRIED_ATOM_STEPS = 40, 300, 300_000
 
 
 class Program(Protocol):
@@ -109,7 +109,7 @@ class LammpsGas:
         )
 
     def _fastest_list(self) -> tuple[float, int]:
-        steps = max(_TRIED_STEPS, _TRIED_ATOM_STEPS // self._atoms)
+        steps = min(max(_FEWEST_STEPS, _TRIED_ATOM_STEPS // self._atoms), _MOST_STEPS)
         least = dict.fromkeys(_LISTS, float("inf"))
         for _ in range(_TRIALS):
             for skin, delay in _LISTS:
