@@ -107,11 +107,9 @@ def test_hard_discs_are_matter_too_but_take_no_heat(command: Any) -> None:
 
 
 def test_neighbours_are_told_by_the_mean_size() -> None:
-    species = [
-        {"name": "a", "radius": 0.5, "count": 30},
-        {"name": "b", "radius": 9, "sigma": 3.0, "count": 10},
-    ]
     assert neighbour_distance(SCENARIO) == 1.5
+    small = {"name": "a", "radius": 0.5, "count": 30, "temperature": 1}
+    large = {"name": "b", "radius": 9, "sigma": 3.0, "count": 10, "temperature": 1}
     box = {"shape": "rectangle", "width": 400, "height": 400}
-    mixed = parse({"container": box, "species": species, "dynamics": {"kind": "forced"}})
+    mixed = parse({"container": box, "species": [small, large], "dynamics": {"kind": "forced"}})
     assert neighbour_distance(mixed) == pytest.approx(1.5 * 1.5)

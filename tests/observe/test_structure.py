@@ -37,7 +37,7 @@ def random_places(geometry, rng, count, radius):
 def test_independent_points_have_g_of_one_in_any_box(geometry):
     rng = np.random.default_rng(11)
     found: Observer = observe.RadialDistribution(geometry, 1, 8, 8.0)
-    frames, count = 200, 40
+    frames, count = 80, 40
     for frame in range(frames):
         state = at(random_places(geometry, rng, count, 1.0), float(frame), radius=np.full(count, 1.0))
         if frame == 0:
