@@ -33,6 +33,40 @@ def test_edits_reach_the_scenario() -> None:
     assert scenario.dynamics.time_step == 0.5
 
 
+def test_matter_with_forces_keeps_what_the_panel_does_not_show() -> None:
+    atom = {
+        "name": "atom",
+        "radius": 0.5,
+        "count": 9,
+        "temperature": 0.5,
+        "lattice": 1.1,
+        "epsilon": 2,
+        "sigma": 0.9,
+    }
+    scenario = parse(
+        {
+            "format": "gasbox-scenario/1",
+            "title": "Matter",
+            "container": {"shape": "rectangle", "width": 20, "height": 20, "periodic": ["x", "y"]},
+            "species": [atom],
+            "dynamics": {"kind": "forced", "time_step": 0.004},
+            "forces": {"law": "wca"},
+            "thermostat": {"kind": "langevin"},
+        }
+    )
+    draft = Draft.of(scenario)
+    assert parse(draft.to_dict()).hash() == scenario.hash()
+    assert draft.step == "0.004"
+    draft.kind = "stepped"
+    assert draft.step == "1"
+    other = parse(draft.to_dict())
+    assert (other.dynamics.kind, other.forces, other.thermostat) == ("stepped", None, None)
+    draft.kind, draft.step = "forced", "0.002"
+    draft.kind = "forced"
+    assert draft.step == "0.002"
+    assert parse(draft.to_dict()).forces == scenario.forces
+
+
 def test_what_makes_no_sense_is_reported_with_its_path_and_as_typed() -> None:
     draft = Draft.of(load("three-gases"))
     draft.species[0].mass = "heavy"

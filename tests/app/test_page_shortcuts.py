@@ -25,6 +25,10 @@ def test_each_key_means_one_thing() -> None:
         ("Escape", "unfollow"),
         ("g", "gravity"),
         ("D", "divider"),
+        ("c", "coloring"),
+        ("B", "bonds"),
+        ("h", "heat"),
+        ("F", "cool"),
         ("x", None),
     ],
 )

@@ -6,10 +6,14 @@ import json
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
-from gasbox.scenario import Scenario, Species
+from gasbox.scenario import Forced, Scenario, Species, Stepped
 
 __all__ = ["ContainerDraft", "Draft", "SpeciesDraft"]
 
+_HIDDEN = ("region", "velocities", "lattice", "epsilon", "sigma", "charge")
+"""What the panel does not show of a species."""
+_OF_FORCES = ("forces", "thermostat", "barostat", "heating")
+"""Sections that only dynamics `forced` knows."""
 _COLORS = ("#4c9be8", "#f2a33a", "#5cb85c", "#c86dd7", "#e0605e", "#3fb8af", "#9a8c5a", "#7d8bd8")
 
 
@@ -36,7 +40,7 @@ class SpeciesDraft:
     Attributes
     ----------
     start : how velocities are drawn: ``temperature``, ``speed``, or ``velocities`` (as listed in the file)
-    kept : what the panel does not show (region, listed velocities), as in the file
+    kept : what the panel does not show (region, listed velocities, forces), as in the file
     """
 
     name: str
@@ -67,7 +71,7 @@ class SpeciesDraft:
             str(species.count),
             start,
             "" if warmth is None else _text(warmth),
-            {key: given[key] for key in ("region", "velocities") if given.get(key) is not None},
+            {key: given[key] for key in _HIDDEN if given.get(key) is not None},
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -152,9 +156,23 @@ class Draft:
     gravity_y: str
     kind: str
     time_step: str
+    short_step: str
+    """Time step under forces."""
     rest: dict[str, Any]
     shape: str = "rectangle"
     """Of the container in the box now."""
+
+    @property
+    def step(self) -> str:
+        """The time step of the kind that is chosen."""
+        return self.short_step if self.kind == "forced" else self.time_step
+
+    @step.setter
+    def step(self, text: str) -> None:
+        if self.kind == "forced":
+            self.short_step = text
+        else:
+            self.time_step = text
 
     @classmethod
     def of(cls, scenario: Scenario) -> Draft:
@@ -172,7 +190,8 @@ class Draft:
             _text(scenario.gravity[0]),
             _text(scenario.gravity[1]),
             dynamics.kind,
-            _text(getattr(dynamics, "time_step", 1.0)),
+            _text(dynamics.time_step if isinstance(dynamics, Stepped) else Stepped().time_step),
+            _text(dynamics.time_step if isinstance(dynamics, Forced) else Forced().time_step),
             rest,
             scenario.container.shape,
         )
@@ -193,14 +212,17 @@ class Draft:
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """The scenario as typed, still unchecked. Walls go with the shape that they are sides of."""
+        """The scenario as typed, still unchecked. Walls go with their shape, and what acts under forces with these."""
         dynamics: dict[str, Any] = {"kind": self.kind}
-        if self.kind == "stepped":
-            dynamics["time_step"] = _value(self.time_step)
+        if self.kind != "event-driven":
+            dynamics["time_step"] = _value(self.step)
         gravity = [_value(part) or 0.0 for part in (self.gravity_x, self.gravity_y)]
         rest = {**self.rest, **({"gravity": gravity} if gravity != [0.0, 0.0] else {})}
         if self.container.shape != self.shape:
             rest.pop("walls", None)
+        if self.kind != "forced":
+            for key in _OF_FORCES:
+                rest.pop(key, None)
         return {
             **rest,
             "seed": _value(self.seed),

@@ -9,6 +9,7 @@ from pathlib import Path
 from nicegui import background_tasks, run, ui
 from nicegui.events import GenericEventArguments
 
+from gasbox.app.aims import has_forces
 from gasbox.app.bins import BinChoice
 from gasbox.app.chart_settings import ChartSettings
 from gasbox.app.charts import Charts
@@ -39,6 +40,8 @@ _SLOW = 30.0
 """Frames per second below which the browser gets new histograms only at every third beat: the box comes first."""
 _MANY = 20_000
 """So many particles are counted in a thread, so that frames keep flowing."""
+_MANY_WITH_FORCES = 1_000
+"""The same where neighbours are looked for as well."""
 
 
 def build(session: Session) -> Page:
@@ -149,7 +152,7 @@ class Page:
         self.studies.fit(sample)
         self.transport.show_reached(sample.keeping_up or not sample.playing, sample.speed_reached)
         self.caption.follow(self.session.followed(), sample.scenario)
-        if sample.state.count > _MANY:
+        if sample.state.count > (_MANY_WITH_FORCES if has_forces(sample.scenario) else _MANY):
             measured = await run.io_bound(self._measure, sample)
         else:
             measured = self._measure(sample)

@@ -16,7 +16,11 @@ from gasbox.scenario import Scenario
 
 __all__ = ["Panel"]
 
-_KINDS = {"event-driven": "event-driven (exact)", "stepped": "stepped (classroom rule)"}
+_KINDS = {
+    "event-driven": "event-driven (exact)",
+    "stepped": "stepped (classroom rule)",
+    "forced": "forces between discs",
+}
 _SHAPES = {"rectangle": "rectangle", "circle": "circle", "regular-polygon": "regular polygon"}
 _SELECT = "dense outlined options-dense"
 _STARTS = {"temperature": "temperature", "speed": "one speed"}
@@ -187,8 +191,9 @@ class Panel:
         kind = self._choice("dynamics.kind", "dynamics", _KINDS, draft, "kind")
         with ui.element("div").classes("fields two"):
             self._field("seed", "seed", draft, "seed").props("inputmode=numeric")
-            step = self._field("dynamics.time_step", "time step", draft, "time_step")
-            step.bind_visibility_from(kind, "value", lambda kind: kind == "stepped")
+            step = self._field("dynamics.time_step", "time step", draft, "step")
+            step.bind_visibility_from(kind, "value", lambda kind: kind != "event-driven")
+        kind.on_value_change(lambda: step.set_value(draft.step))
         dice = ui.button("Another seed", icon="casino", on_click=self._roll, color=None)
         dice.props("flat dense").mark("roll").tooltip("the same gas, drawn anew")
 

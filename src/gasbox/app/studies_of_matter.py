@@ -159,7 +159,7 @@ class Wandering:
         points = np.column_stack([found.times, found.msd])
         traces = [Trace("mean", np.vstack([points[:-1:stride], points[-1:]]), "line")]
         speed = diffusion_coefficient(found)
-        fact = "" if speed is None else f"slope/4 = D ≈ {speed:.2g}"
+        fact = "" if speed is None else f"D ≈ {speed:.2g}"
         return Picture(
             Axis(f"time since it was first shown  ({UNIT['time']})"),
             Axis(f"squared distance  ({UNIT['area']})", 0.0),
