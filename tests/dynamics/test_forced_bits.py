@@ -21,22 +21,24 @@ LANGEVIN = {"kind": "langevin", "temperature": 1.0, "time": 0.5}
 UNTIL = 2.0
 
 GASES = {
-    "alone": dict(container=BOX),
-    "force-shifted": dict(container=BOX, forces={"truncation": "force-shifted"}),
-    "langevin": dict(container=BOX, thermostat=LANGEVIN),
-    "rescaling": dict(container=BOX, thermostat=RESCALING),
-    "barostat": dict(
-        container=BOX,
-        thermostat=RESCALING,
-        barostat={"pressure": 3.0, "time": 5.0},
-        heating={"power": 0.1},
-    ),
-    "walled": dict(container=WALLED, gravity=[0, -0.1], walls={"left": {"temperature": 2.0}}),
-    "circle": dict(container={"shape": "circle", "radius": 11}, heating={"power": 0.05}),
-    "soft walls": dict(
-        container=rectangle(20, 18, ["x"]), forces={"walls": "repulsive"}, thermostat=LANGEVIN
-    ),
-    "salt": dict(container=BOX, species=SALT, forces={"charges": {"strength": 2.0}}),
+    "alone": {"container": BOX},
+    "force-shifted": {"container": BOX, "forces": {"truncation": "force-shifted"}},
+    "langevin": {"container": BOX, "thermostat": LANGEVIN},
+    "rescaling": {"container": BOX, "thermostat": RESCALING},
+    "barostat": {
+        "container": BOX,
+        "thermostat": RESCALING,
+        "barostat": {"pressure": 3.0, "time": 5.0},
+        "heating": {"power": 0.1},
+    },
+    "walled": {"container": WALLED, "gravity": [0, -0.1], "walls": {"left": {"temperature": 2.0}}},
+    "circle": {"container": {"shape": "circle", "radius": 11}, "heating": {"power": 0.05}},
+    "soft walls": {
+        "container": rectangle(20, 18, ["x"]),
+        "forces": {"walls": "repulsive"},
+        "thermostat": LANGEVIN,
+    },
+    "salt": {"container": BOX, "species": SALT, "forces": {"charges": {"strength": 2.0}}},
 }
 every_gas = pytest.mark.parametrize("gas", GASES.values(), ids=GASES.keys())
 
@@ -124,7 +126,7 @@ def test_whenever_a_run_ends(gas):
 def test_small_ones_too(tmp_path):
     """In pieces and resumed, with thermostat and barostat; also without the JIT."""
     position, velocity = scattered(1, 5.0, 5.0, 9)
-    baths = dict(thermostat=RESCALING, barostat={"pressure": 1.0, "time": 1.0}, heating={"power": 0.1})
+    baths = {"thermostat": RESCALING, "barostat": {"pressure": 1.0, "time": 1.0}, "heating": {"power": 0.1}}
     start = scenario(rectangle(5, 5), position, velocity, **baths)
     expected = Simulation(start)
     expected.advance(until=0.2)

@@ -59,7 +59,7 @@ def in_a_tiny_box():
 def in_a_channel():
     """Periodic along x alone; the walls are far enough not to be met."""
     position, velocity = scattered(6, 12.0, 5.0, 26, periodic=(True, False))
-    return rectangle(12, 30, ["x"]), position + [0, 12.0], velocity
+    return rectangle(12, 30, ["x"]), position + np.array([0.0, 12.0]), velocity
 
 
 PLACES = {
