@@ -123,6 +123,9 @@ def _calm(state: State, geometry: Geometry, scenario: Scenario) -> list[str]:
     warnings = []
     settings = _forced_settings(scenario, state)
     strength = max(law.epsilon for law in pair_laws(scenario).values())
+    if strength == 0.0 and scenario.forces is not None and scenario.forces.charges is not None:
+        largest = max(abs(entry.charge or 0.0) for entry in scenario.species)
+        strength = scenario.forces.charges.strength * largest**2 / settings.sigma
     moved = rules.relax(state, geometry, settings, strength, scenario.seed)
     if moved is not None:
         warnings.append(f"discs that overlapped were moved apart before the start, by at most {moved:.3g}")

@@ -63,12 +63,11 @@ def relax(
             np.where(wild[:, None], 0.0, force)
             * (settings.sigma * _LARGEST_WAY / np.maximum(size, limit))[:, None]
         )
-        way[wild] = (
-            generator(seed, Stream.POSITIONS, 1 + turn).normal(size=(int(wild.sum()), 2)) * _LARGEST_WAY
-        )
+        noise = generator(seed, Stream.POSITIONS, 1 + turn).normal(size=(int(wild.sum()), 2))
+        way[wild] = noise * _LARGEST_WAY * settings.sigma
         if apart is not None:
             way += apart * settings.sigma
-        state.position = _inside(geometry, geometry.wrap(state.position + way), state)
+        _move(geometry, state, way)
         trial.resync(state)
     if not moved:
         return None
@@ -95,10 +94,14 @@ def _at_one_place(state: State, turn: int, seed: int) -> NDArray[np.float64] | N
     return way
 
 
-def _inside(geometry: Geometry, position: NDArray[np.float64], state: State) -> NDArray[np.float64]:
-    """The new places, but the old one of a disc that would leave."""
-    inside = geometry.holds(position, state.radius)
-    return np.where(inside[:, None], position, state.position)
+def _move(geometry: Geometry, state: State, way: NDArray[np.float64]) -> None:
+    """Move discs; one that would leave goes along x or y alone, if it can, so that it slides along a wall."""
+    waiting = np.ones(state.count, np.bool_)
+    for part in ((1.0, 1.0), (1.0, 0.0), (0.0, 1.0)):
+        position = geometry.wrap(state.position + way * part)
+        goes = waiting & geometry.holds(position, state.radius)
+        state.position[goes] = position[goes]
+        waiting &= ~goes
 
 
 def step_warning(state: State, settings: ForcedSettings, strength: float) -> str | None:
