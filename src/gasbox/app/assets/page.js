@@ -35,16 +35,25 @@
   };
   const holder = (target) => (target instanceof Element ? target.closest("[data-hold]") : null);
   const presses = (key) => key === " " || key === "Enter";
-  document.addEventListener("keydown", (event) => {
-    const { key, target } = event;
-    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
-    const button = holder(target);
-    if (button && presses(key)) hold(button.dataset.hold, key);
-    else if (key in settings.holds && !typing(target) && !covered()) hold(settings.holds[key], key);
-  });
-  document.addEventListener("keyup", ({ key }) => {
-    if (typeof held === "string" && key.toLowerCase() === held.toLowerCase()) letGo();
-  });
+  // On the way down, because buttons keep what is pressed on them to themselves.
+  document.addEventListener(
+    "keydown",
+    (event) => {
+      const { key, target } = event;
+      if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
+      const button = holder(target);
+      if (button && presses(key)) hold(button.dataset.hold, key);
+      else if (key in settings.holds && !typing(target) && !covered()) hold(settings.holds[key], key);
+    },
+    true,
+  );
+  document.addEventListener(
+    "keyup",
+    ({ key }) => {
+      if (typeof held === "string" && key.toLowerCase() === held.toLowerCase()) letGo();
+    },
+    true,
+  );
   document.addEventListener("pointerdown", (event) => {
     const button = holder(event.target);
     if (!button || event.button !== 0) return;
