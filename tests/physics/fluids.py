@@ -81,7 +81,11 @@ class Mean:
         return cls(float(samples.mean()), float(observe.block_error(samples)))
 
     def agrees(self, expected, uncertain=0.0, allowance=0.0, sigmas=4.0):
-        """Whether it is `expected` (itself uncertain by a standard error), but for statistics and an allowance."""
+        """Whether it is `expected` (itself uncertain by a standard error), but for statistics and an allowance.
+
+        Both are printed, for those who run the tests with -s.
+        """
+        print(f"{self.value:.5f} +- {self.error:.5f}, expected {expected:.5f} +- {uncertain:.5f}")
         return abs(self.value - expected) <= allowance + sigmas * math.hypot(self.error, uncertain)
 
 

@@ -119,9 +119,7 @@ def correlation(values):
 
 def test_velocities_of_free_discs_under_langevin():
     count, time = 2000, 0.5
-    simulation = fluid(
-        count, 0.001, 2.0, forces=FREE, time_step=0.01, seed=9, thermostat=langevin(2.0, time)
-    )
+    simulation = fluid(count, 0.001, 2.0, forces=FREE, time_step=0.01, seed=9, thermostat=langevin(2.0, time))
     simulation.advance(until=5.0)
     first = simulation.state.velocity.copy()
     begin = simulation.time
@@ -139,13 +137,19 @@ def test_free_discs_under_langevin_diffuse(mass, time):
     count, temperature = 2000, 1.3
     heavy = {"name": "atom", "radius": 0.5, "mass": mass, "count": count, "temperature": temperature}
     simulation = run_of(
-        [heavy], (1400.0, 1400.0), FREE, 0.02, seed=10, thermostat=langevin(temperature, time), frame_interval=time
+        [heavy],
+        (1400.0, 1400.0),
+        FREE,
+        0.02,
+        seed=10,
+        thermostat=langevin(temperature, time),
+        frame_interval=time,
     )
     way = observe.MeanSquaredDisplacement(simulation.geometry)
     simulation.attach(way)
     simulation.advance(frames=20)
     found = way.value()
-    times, squared = found.time, found.msd
+    times, squared = found.times, found.msd
     diffusion = temperature * time / mass
     expected = 4.0 * diffusion * (times - time * (1.0 - np.exp(-times / time)))
     assert times[-1] == pytest.approx(20.0 * time)

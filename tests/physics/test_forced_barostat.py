@@ -1,0 +1,164 @@
+"""The barostat: which areas it visits, and that a fluid finds its density under the pressure of its equation of state.
+
+The rule d ln A = (P - P0) A/(N T time) dt + sqrt(2/(N time)) dW, P A = K + W/2, with places multiplied and velocities
+divided by the same factor, has a mobility that does not depend on A, and K + U depends on ln A at fixed scaled places
+and momenta with the slope -P A. So it leaves exp[-(K + U + P0 A)/T] d(ln A) over scaled phase space invariant. At total
+momentum zero that holds 2N - 2 momenta, whose integral is proportional to A^(N-1). An ideal gas therefore visits areas
+with the density A^(N-2) exp(-P0 A/T): a Gamma distribution of shape N - 1 and scale T/P0, with the mean (N - 1) T/P0
+and the variance (N - 1) (T/P0)². (That of the isothermal-isobaric ensemble with the measure dA has shape N + 1: the
+difference is of order 1/N, and of no weight but for few discs.)
+
+Source of the rule: M. Bernetti and G. Bussi, J. Chem. Phys. 153, 114107 (2020), doi:10.1063/5.0020514.
+"""
+
+import math
+
+import numpy as np
+import pytest
+from fluids import Mean, course, fluid, rescaling
+from scipy import stats
+
+from gasbox import observe
+from gasbox.state import SetBarostat, SetHeating, SetThermostat
+
+FREE = {"law": "none"}
+
+
+def areas(simulation, every, number):
+    """Areas at equal times apart."""
+    begin, found = simulation.time, []
+    for turn in range(1, number + 1):
+        simulation.advance(until=begin + turn * every)
+        found.append(simulation.geometry.at(simulation.state.wall_displacement).area)
+    return np.array(found)
+
+
+@pytest.mark.parametrize(("count", "temperature", "time"), [(12, 1.0, 30.0), (40, 2.0, 9.0)])
+def test_areas_of_an_ideal_gas_are_gamma_distributed(count, temperature, time):
+    # Times so long that the largest change at once, 5 %, is three standard deviations of the noise.
+    simulation = fluid(
+        count,
+        1.0,
+        temperature,
+        forces=FREE,
+        seed=count,
+        thermostat=rescaling(temperature, 0.2),
+        barostat={"pressure": temperature, "time": time},
+    )
+    simulation.advance(until=3.0 * time)
+    found = areas(simulation, time, 700)
+    memory, squared = _memory(math.exp(-1.0)), _memory(math.exp(-2.0))
+    law = stats.gamma(count - 1.0)
+    assert Mean(found.mean(), law.std() * math.sqrt(memory / found.size)).agrees(law.mean())
+    noise = math.sqrt((2.0 + 6.0 / (count - 1.0)) * squared / found.size)
+    assert Mean(found.var() / law.var(), noise).agrees(1.0)
+    assert stats.kstest(found, law.cdf).statistic < 1.95 * math.sqrt(memory / found.size)
+    # The measure dA, or all 2N momenta, would have another shape.
+    other = stats.gamma(count + 1.0)
+    assert stats.kstest(found, other.cdf).statistic > 1.95 * math.sqrt(memory / found.size)
+
+
+def _memory(correlation):
+    """By how much samples with this correlation of neighbours count less."""
+    return (1.0 + correlation) / (1.0 - correlation)
+
+
+def test_area_of_an_ideal_gas_relaxes_at_the_given_time():
+    count, time = 400, 4.0
+    simulation = fluid(
+        count,
+        0.02,
+        1.0,
+        forces=FREE,
+        time_step=0.01,
+        seed=3,
+        thermostat=rescaling(1.0, 0.2),
+        barostat={"pressure": 0.01, "time": time},
+    )
+    # From half the area that it ends at: d ln A/dt = (1 - P0 A/(N T))/time, so 1/A - 1/A_end decays as exp(-t/time).
+    found = areas(simulation, 1.0, 8)
+    end = (count - 1.0) / 0.01
+    expected = end / (1.0 + np.exp(-np.arange(1, 9) / time))
+    # Chance adds to ln A what is left of 2/(N time) per time.
+    assert found == pytest.approx(expected, rel=4.0 / math.sqrt(count))
+
+
+@pytest.mark.parametrize(
+    ("density", "pressure", "error", "time"), [(0.7, 1.8102, 0.0043, 20.0), (0.3, 0.2866, 0.0006, 4.0)]
+)
+def test_fluid_finds_its_density(density, pressure, error, time):
+    # From a tenth below it, under the pressure that Monte Carlo found for 400 discs at this density, at T = 1.
+    simulation = fluid(
+        400,
+        0.9 * density,
+        1.0,
+        seed=5,
+        thermostat=rescaling(1.0, 0.2),
+        barostat={"pressure": pressure, "time": time},
+    )
+    simulation.advance(until=50.0)
+    found = course(simulation, 250.0)
+    # dP/d(density): 13.2 at 0.7, 1.4 at 0.3 (differences of the table).
+    slope = 13.2 if density > 0.5 else 1.4
+    mean = Mean.of(400.0 / found.area)
+    # What is of order 1/N, 2 T/A in the pressure, is allowed for.
+    assert mean.agrees(density, error / slope, allowance=2.0 * density / 400 / slope + 0.001 * density)
+    assert mean.error < 0.012 * density
+    # The mean over d(ln A) of K + W/2 - P0 A is 0, and of that over A it is T/A.
+    held = found.pressure - 2.0 * found.temperature / found.area
+    assert Mean.of(held).agrees(pressure, allowance=0.003 * pressure)
+
+
+def test_heat_work_and_enthalpy_balance():
+    # Constant pressure and heating, no thermostat: enthalpy rises by the heat.
+    pressure, power, count, time, duration = 0.5, 0.01, 400, 100.0, 100.0
+    simulation = fluid(
+        count,
+        0.55,
+        0.8,
+        forces={"truncation": "force-shifted"},
+        time_step=0.004,
+        seed=2,
+        thermostat=rescaling(0.8, 0.2),
+        barostat={"pressure": pressure, "time": time},
+    )
+    simulation.advance(until=40.0)
+    simulation.apply(SetThermostat(None))
+    simulation.apply(SetHeating(power))
+
+    def moment():
+        """Energy, enthalpy, and the work that a change of ln A does: K + W/2 - P0 A."""
+        state, geometry = simulation.state, simulation.geometry
+        energy = observe.internal_energy(state, geometry)
+        enthalpy = observe.enthalpy(state, geometry, pressure)
+        return energy, enthalpy, simulation.energy() + 0.5 * state.virial - (enthalpy - energy)
+
+    area = simulation.geometry.at(simulation.state.wall_displacement).area
+    tallies, begin, moments = simulation.dynamics.tallies.copy(), simulation.time, [moment()]
+    for turn in range(1, 101):
+        simulation.advance(until=begin + 0.01 * turn * duration)
+        moments.append(moment())
+    change = simulation.dynamics.tallies - tallies
+    energy, enthalpy, push = np.array(moments).T
+    given = count * power * duration
+    assert change.thermostat_heat[0] == 0.0
+    assert change.heater_heat[0] == pytest.approx(given, rel=1e-12)
+    # The first law: heat and work that are booked are what the gas gains.
+    assert energy[-1] - energy[0] == pytest.approx(given + change.barostat_work[0], abs=0.002 * given)
+    # The area lags behind, so that the gas pushes against P0 with more than P0, and does that much work for nothing.
+    state = simulation.state
+    lost = push.mean() * math.log(simulation.geometry.at(state.wall_displacement).area / area)
+    assert 0.0 < lost < 0.15 * given
+    # The barostat's chance changes ln A by sqrt(2/(N time)) per root of the time, and the enthalpy by as much push.
+    noise = math.sqrt(2.0 * np.var(push) * duration / (count * time))
+    assert noise < 0.04 * given
+    assert Mean(enthalpy[-1] - enthalpy[0] + lost, noise).agrees(given)
+
+
+def test_area_stays_when_the_barostat_is_off():
+    simulation = fluid(100, 0.5, 1.0, thermostat=rescaling(1.0), barostat={"pressure": 1.0, "time": 5.0})
+    simulation.advance(until=5.0)
+    simulation.apply(SetBarostat(None))
+    found = areas(simulation, 0.5, 4)
+    assert np.ptp(found) == 0.0
+    assert found[0] != 200.0
