@@ -13,6 +13,7 @@ import typer
 from gasbox.cli.bench import bench
 from gasbox.cli.check import check
 from gasbox.cli.lab import lab
+from gasbox.cli.phase_diagram import phase_diagram
 from gasbox.cli.plot import plot
 from gasbox.cli.resume import resume
 from gasbox.cli.run import run
@@ -33,7 +34,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for command in (lab, run, resume, check, schema, scenarios, plot, bench):
+for command in (lab, run, resume, check, schema, scenarios, plot, phase_diagram, bench):
     app.command()(command)
 
 

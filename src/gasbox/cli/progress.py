@@ -21,13 +21,14 @@ class Progress:
     Parameters
     ----------
     start, end : of the run [time]; an infinite end is that of Ctrl-C
+    what : is counted, if not simulated time
     """
 
-    def __init__(self, start: float, end: float) -> None:
+    def __init__(self, start: float, end: float, what: str = "time") -> None:
         self._start, self._drawn_at = start, 0.0
         console = Console(stderr=True)
         self._bar = Bar(
-            TextColumn("time {task.fields[time]:g}"),
+            TextColumn(what + " {task.fields[time]:g}"),
             BarColumn(),
             TaskProgressColumn(),
             TimeElapsedColumn(),

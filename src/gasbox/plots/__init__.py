@@ -7,6 +7,7 @@ from gasbox.plots.histograms import HistogramPanel, draw_histograms, histogram_f
 from gasbox.plots.matter import draw_hexatic, draw_msd, draw_phases, draw_rdf, draw_shares
 from gasbox.plots.overview import overview_figure
 from gasbox.plots.panels import Panel, draw_panels, panels_figure
+from gasbox.plots.phase_diagram import phase_diagram_figure
 from gasbox.plots.profiles import draw_density, draw_temperature_profile
 from gasbox.plots.series import draw_series, series_figure
 from gasbox.plots.sides import draw_centers, draw_mixing, draw_sides
@@ -38,6 +39,7 @@ __all__ = [
     "histogram_figure",
     "overview_figure",
     "panels_figure",
+    "phase_diagram_figure",
     "series_figure",
     "theory_curve",
 ]
