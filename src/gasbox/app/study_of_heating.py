@@ -22,6 +22,8 @@ __all__ = ["Heating", "turns"]
 
 _TURNED: Final = 0.05
 """Share of all heat that must come back before it counts as cooling, or as heating again."""
+_NOISE: Final = 0.02
+"""And in units of the mean temperature: a gas that is left alone, or held, neither heats nor cools."""
 _POINTS: Final = 400
 """Of the curve, at most; a chart has not many more pixels."""
 _ROWS: Final = 1500
@@ -86,7 +88,7 @@ class Heating:
         stride = 1 + course.time.size // _POINTS
         traces = [_trace(name, pieces, stride) for name in self._names]
         return Picture(
-            Axis(f"heat added per disc  ({UNIT['energy']})"),
+            Axis("heat added per disc  (energy)"),
             Axis(f"temperature  ({UNIT['temperature']})", None),
             traces,
             _fact(course),
@@ -122,7 +124,8 @@ def turns(heat: NDArray[np.float64], least: float) -> list[int]:
 
 def _pieces(course: HeatingCourse) -> list[_Piece]:
     """The curve from one turn to the next; where it is heated, also from one stretch to the next."""
-    ends = turns(course.heat, _TURNED * float(np.ptp(course.heat)))
+    noise = _NOISE * float(np.nanmean(course.temperature))
+    ends = turns(course.heat, max(_TURNED * float(np.ptp(course.heat)), noise))
     pieces = []
     for begin, end in itertools.pairwise(ends):
         part = course.rows(slice(begin, end + 1))
