@@ -4,7 +4,7 @@
 and `virial` (numbers behind them), `fluid` (what follows from them), `kinetic` (collision rates, free paths),
 `finite` (few particles), `gravity` and `sediment` (columns of points and of discs), `walls` (hits, thermal
 walls, slits), `adiabat` (work and entropy), `piston` (a gas as a spring), `ranges` (axes); of discs with forces
-`pair_laws` (energy and force of a pair), `imperfect` (second virial coefficients), `lattice` (crystals at T = 0) and
+`pair_laws` (energy and force of a pair), `imperfect` (virial coefficients), `lattice` (crystals at T = 0) and
 `lennard_jones` (where its phases lie).
 """
 
