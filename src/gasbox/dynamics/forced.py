@@ -120,6 +120,8 @@ class Forced:
         if not self._bath.drifts_x & self._bath.drifts_y:
             self._drive.refuse_barostat(change)
         self._drive.change(change, self._time, self._temperature(state))
+        # A Langevin thermostat that is switched off leaves no heat of its last step behind, to be booked again.
+        self._tables.crowd.room.sums[:] = 0.0
 
     def _temperature(self, state: State) -> float:
         kinetic = 0.5 * float(np.sum(state.mass @ state.velocity**2))

@@ -84,7 +84,8 @@ class Simulation:
         """The schedule, the latest first; of a snapshot, what was not done yet."""
         done = self.time if self.scenario.snapshot is not None else -math.inf
         plan = [entry for entry in self.scenario.schedule if entry.at > done]
-        return sorted(plan, key=lambda entry: entry.at, reverse=True)
+        # Of several at one time, the first goes first.
+        return sorted(plan, key=lambda entry: entry.at)[::-1]
 
     def apply(self, change: Change) -> None:
         """Change gravity, a wall or a bath now. It is logged, so that the run can be repeated to the bit.
