@@ -67,9 +67,13 @@ def phase_diagram(
 
     if output is not None:
         check_figure(output)
-    recipe = QUICK if quick else FULL
-    asked = {"particles": particles, "cutoff": cutoff, "seed": seed}
-    recipe = replace(recipe, **{name: value for name, value in asked.items() if value is not None})
+    usual = QUICK if quick else FULL
+    recipe = replace(
+        usual,
+        particles=usual.particles if particles is None else particles,
+        cutoff=usual.cutoff if cutoff is None else cutoff,
+        seed=usual.seed if seed is None else seed,
+    )
     wanted = grid_points(*_rows_and_columns(points or ("9x8" if quick else "17x16")))
     diary = Diary(data, recipe)
     if diary.missing(wanted):

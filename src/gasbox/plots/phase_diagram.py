@@ -73,9 +73,9 @@ def draw_matters(
     for warm, dense, what in zip(temperature, density, matter, strict=True):
         bottom, top = rows[float(warm)]
         left, right = columns[float(dense)]
-        color = to_rgba(MATTER_COLORS[what], _ALPHA)
+        face = to_rgba(MATTER_COLORS[what], _ALPHA)
         axes.add_patch(
-            Rectangle((left, bottom), right - left, top - bottom, facecolor=color, edgecolor="none")
+            Rectangle((left, bottom), right - left, top - bottom, facecolor=face, edgecolor="none")
         )
     for name, color in MATTER_COLORS.items():
         chosen = np.array([what == name for what in matter], bool)

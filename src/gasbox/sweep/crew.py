@@ -10,7 +10,7 @@ import multiprocessing
 import os
 import signal
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from multiprocessing import connection
 from multiprocessing.synchronize import Event
@@ -24,7 +24,9 @@ _enough: Event | None = None
 """In a worker: set once nobody wants its results any more."""
 
 
-def measured(points: Sequence[tuple[float, float]], recipe: Recipe, workers: int = 1) -> Iterator[Point]:
+def measured(
+    points: Sequence[tuple[float, float]], recipe: Recipe, workers: int = 1
+) -> Generator[Point, None, None]:
     """Each point as it gets done, in any order. Closing the iterator stops all work.
 
     Parameters

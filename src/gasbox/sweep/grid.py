@@ -31,7 +31,7 @@ class Recipe:
 
 
 FULL: Final = Recipe()
-QUICK: Final = Recipe(particles=200, settle=200.0, measure=50.0)
+QUICK: Final = Recipe(particles=200, settle=300.0, measure=100.0)
 """A rough diagram in half a minute."""
 
 _TEMPERATURES: Final = (0.30, 0.62)

@@ -114,7 +114,7 @@ def measure(
         uneven=uneven,
         pressure=(kinetic + 0.5 * virial) / (simulation.geometry.area * duration),
         potential=potential / (recipe.particles * duration),
-        matter=verdict(gas, solid, uneven),
+        matter=verdict(gas, solid, uneven, recipe.particles),
     )
 
 

@@ -40,8 +40,9 @@ MATTERS: Final[tuple[Matter, ...]] = (
 )
 """All there are. A fluid is dense gas or thin liquid: above the critical point nothing divides the two."""
 
-_UNEVEN: Final = 0.15
-"""Some three times the unevenness of 500 discs of a gas."""
+_EVEN: Final = 12.0
+"""Largest structure factor at long waves of what counts as even: 1 in a thin gas, and some 10 in a fluid a tenth above
+its critical temperature."""
 _PURE: Final = 0.8
 """Share from which a phase counts as alone."""
 _CRYSTAL: Final = 0.6
@@ -64,15 +65,16 @@ def unevenness(position: NDArray[np.float64], size: NDArray[np.float64]) -> floa
     return float(np.max(np.abs(np.mean(waves, axis=0))))
 
 
-def verdict(gas: float, solid: float, uneven: float) -> Matter:
+def verdict(gas: float, solid: float, uneven: float, particles: int) -> Matter:
     """What it is.
 
     Parameters
     ----------
     gas, solid : shares of discs in the gas and the solid; the others are liquid
     uneven : the unevenness
+    particles : how many discs these are shares of
     """
-    if uneven < _UNEVEN:
+    if particles * uneven**2 < _EVEN:
         return _even(gas, solid)
     crystal = solid / (1.0 - gas) if gas < 1.0 else 0.0
     if crystal >= _CRYSTAL:
