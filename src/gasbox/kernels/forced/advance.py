@@ -5,6 +5,8 @@ A step goes through stages, so that it can stop in the middle for longer lists o
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,9 +17,11 @@ from gasbox.kernels.forced.bath import (
     EVERY,
     LANGEVIN,
     OFF,
+    P_FROM,
     POWER,
     THERMOSTAT,
     Bath,
+    aim,
     factor,
     rescale,
     rub,
@@ -86,7 +90,44 @@ def _end(
     if thread == 0:
         room.before[0] = kinetic + sums.potential
         room.before[1] = by
+        room.before[2] = area
     return True
+
+
+@bare_kernel
+def _settle(
+    crowd: Crowd,
+    rule: Rule,
+    bath: Bath,
+    books: Books,
+    again: bool,
+    step: int,
+    begin: int,
+    end: int,
+    thread: int,
+) -> None:
+    """Book energies where no step was made: before the first, or (`again`) after the area has changed.
+
+    A change of the area gives and takes energy as a heat bath does. If there is no thermostat, the velocities take that
+    back, so that the enthalpy stays as it was.
+    """
+    room = crowd.room
+    sums = sum_atoms(bath, room)
+    kinetic = sums.kinetic
+    if again:
+        work = sums.kinetic + sums.potential - room.before[0]
+        if bath.drive[THERMOSTAT] == OFF and sums.thermal > 0.0:
+            area = room.size[0] * room.size[1]
+            excess = work + aim(bath.drive, P_FROM, step * rule.time_step) * (area - room.before[2])
+            excess = min(excess, 0.5 * sums.thermal)
+            by = math.sqrt((sums.thermal - excess) / sums.thermal)
+            rescale(crowd.atoms, by, sums.ux, sums.uy, begin * BLOCK, end * BLOCK)
+            kinetic -= excess
+            work -= excess
+        if thread == 0:
+            books.barostat_work[0] += work
+    if thread == 0:
+        books.now[0], books.now[1], books.now[2] = sums.potential, sums.virial, kinetic
 
 
 @inlined_kernel
@@ -233,11 +274,8 @@ def advance(
                 changes = False
                 if steps == 1:
                     changes = _end(crowd, rule, bath, books, measured, step, first, last, thread)
-                elif thread == 0:
-                    sums = sum_atoms(bath, room)
-                    books.now[0], books.now[1], books.now[2] = sums.potential, sums.virial, sums.kinetic
-                    if stage == FORCE_AGAIN:
-                        books.barostat_work[0] += sums.kinetic + sums.potential - room.before[0]
+                else:
+                    _settle(crowd, rule, bath, books, stage == FORCE_AGAIN, step, first, last, thread)
                 meet(flag, thread, threads)
                 stage = LIST_AGAIN if changes else MOVE
                 if changes and thread == 0:

@@ -4,7 +4,7 @@ Langevin: B. Leimkuhler, C. Matthews, Appl. Math. Res. Express 2013, 34, doi:10.
 Stochastic velocity rescaling: G. Bussi, D. Donadio, M. Parrinello, J. Chem. Phys. 126, 014101 (2007),
 doi:10.1063/1.2408420. Stochastic cell rescaling: M. Bernetti, G. Bussi, J. Chem. Phys. 153, 114107 (2020),
 doi:10.1063/5.0020514; here with the compressibility of an ideal gas, A/(N T), whatever the phase: it only sets the
-pace, and makes the mobility of ln A independent of A.
+pace, and makes the mobility of ln A independent of A. Without a thermostat the enthalpy is kept: see `advance`.
 """
 
 from __future__ import annotations

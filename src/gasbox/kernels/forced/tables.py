@@ -158,7 +158,7 @@ class Room(NamedTuple):
     far : (threads,) float64, square of the largest way of each thread's atoms
     full : (threads + 1,) int64, whether the room of each thread was too short, or that of all
     sums : (blocks, 7) float64
-    before : (2,) float64, energy before the area was changed, and by what lengths are multiplied
+    before : (3,) float64, energy before the area was changed, by what lengths are multiplied, and the area before
     """
 
     stage: NDArray[np.int64]
@@ -265,7 +265,7 @@ def room(count: int, size: tuple[float, float], threads: int) -> Room:
         np.zeros(threads),
         np.zeros(threads + 1, np.int64),
         np.zeros((padded // BLOCK, 7)),
-        np.zeros(2),
+        np.zeros(3),
     )
 
 
