@@ -31,7 +31,7 @@ def phase_diagram(
     points: Annotated[
         str | None,
         typer.Option(
-            "--points", metavar="ROWSxCOLUMNS", help="Temperatures and densities [17x16; quick: 9x8]."
+            "--points", metavar="ROWSxCOLUMNS", help="Temperatures and densities [15x16; quick: 9x8]."
         ),
     ] = None,
     particles: Annotated[
@@ -74,7 +74,7 @@ def phase_diagram(
         cutoff=usual.cutoff if cutoff is None else cutoff,
         seed=usual.seed if seed is None else seed,
     )
-    wanted = grid_points(*_rows_and_columns(points or ("9x8" if quick else "17x16")))
+    wanted = grid_points(*_rows_and_columns(points or ("9x8" if quick else "15x16")))
     diary = Diary(data, recipe)
     if diary.missing(wanted):
         _fill(diary, wanted, workers)
@@ -93,7 +93,7 @@ def _rows_and_columns(text: str) -> tuple[int, int]:
 
     parts = text.lower().split("x")
     if len(parts) != 2 or not all(part.isdecimal() and 2 <= int(part) <= 500 for part in parts):
-        raise UsageError(f'--points is "{text}"; it must be rows x columns, as in 17x16, each 2 to 500')
+        raise UsageError(f'--points is "{text}"; it must be rows x columns, as in 15x16, each 2 to 500')
     return int(parts[0]), int(parts[1])
 
 

@@ -25,8 +25,8 @@ class Recipe:
 
     particles: int = 500
     cutoff: float = 2.5
-    settle: float = 600.0
-    measure: float = 150.0
+    settle: float = 400.0
+    measure: float = 100.0
     seed: int = 1
 
 
@@ -34,7 +34,7 @@ FULL: Final = Recipe()
 QUICK: Final = Recipe(particles=200, settle=300.0, measure=100.0)
 """A rough diagram in half a minute."""
 
-_TEMPERATURES: Final = (0.30, 0.62)
+_TEMPERATURES: Final = (0.32, 0.60)
 _DENSITIES: Final = (0.02, 0.92)
 _DIGITS: Final = 5
 
