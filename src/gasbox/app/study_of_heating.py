@@ -22,7 +22,7 @@ __all__ = ["Heating", "turns"]
 
 _TURNED: Final = 0.05
 """Share of all heat that must come back before it counts as cooling, or as heating again."""
-_NOISE: Final = 0.02
+_NOISE: Final = 0.1
 """And in units of the mean temperature: a gas that is left alone, or held, neither heats nor cools."""
 _POINTS: Final = 400
 """Of the curve, at most; a chart has not many more pixels."""
@@ -79,8 +79,10 @@ class Heating:
     def picture(self) -> Picture | None:
         """See `gasbox.app.study.Study`."""
         course = None if self._observer is None else self._observer.value()
-        if course is None or course.time.size < 2:
+        if course is None or course.time.size < 3:
             return None
+        # The first row has the temperature that was drawn, before motion and forces have shared it.
+        course = course.rows(slice(1, None))
         pieces = _pieces(course)
         for piece in pieces:
             if piece.name not in self._names:
