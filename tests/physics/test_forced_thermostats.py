@@ -77,10 +77,10 @@ def test_kinetic_energy_forgets_at_the_right_rate(kind):
     off = energies - energies.mean()
     rate = (1.0 if kind == "velocity-rescaling" else 2.0) / time
     for lag in (1, 3, 6):
-        # Bartlett's error of a correlation is at most that of independent pairs times the memory.
-        expected = math.exp(-rate * 0.1 * lag)
-        memory = 1.0 / math.tanh(rate * 0.1)
-        error = math.sqrt(2.0 * memory * (1.0 - expected**2) / energies.size)
+        # M. S. Bartlett's standard error of a correlation that decays geometrically.
+        expected, square = math.exp(-rate * 0.1 * lag), math.exp(-rate * 0.2)
+        scatter = (1.0 + square) * (1.0 - expected**2) / (1.0 - square) - 2.0 * lag * expected**2
+        error = math.sqrt(scatter / energies.size)
         found = float(np.mean(off[lag:] * off[:-lag]) / np.mean(off**2))
         assert found == pytest.approx(expected, abs=4.0 * error)
 
@@ -121,15 +121,18 @@ def test_velocities_of_free_discs_under_langevin():
     count, time = 2000, 0.5
     simulation = fluid(count, 0.001, 2.0, forces=FREE, time_step=0.01, seed=9, thermostat=langevin(2.0, time))
     simulation.advance(until=5.0)
-    first = simulation.state.velocity.copy()
-    begin = simulation.time
-    for share in (0.2, 0.5, 1.0, 2.0):
-        simulation.advance(until=begin + share * time)
+    shares, origins = (0.2, 0.5, 1.0, 2.0), 25
+    found = np.zeros((origins, 4))
+    for origin in range(origins):
+        first, begin = simulation.state.velocity.copy(), simulation.time
+        for column, share in enumerate(shares):
+            simulation.advance(until=begin + share * time)
+            found[origin, column] = np.mean(first * simulation.state.velocity) / 2.0
+    for column, share in enumerate(shares):
         expected = math.exp(-share)
-        # Of a product of two Gaussian numbers that correlate so.
-        error = math.sqrt((1.0 + expected**2) / (2 * count))
-        found = float(np.mean(first * simulation.state.velocity)) / 2.0
-        assert found == pytest.approx(expected, abs=4.0 * error)
+        # Of a product of two Gaussian numbers that correlate so; from one origin to the next, e^-4 of it is left.
+        error = math.sqrt((1.0 + expected**2) / (2 * count * origins))
+        assert Mean(found[:, column].mean(), error).agrees(expected)
 
 
 @pytest.mark.parametrize(("mass", "time"), [(1.0, 0.5), (4.0, 2.0)])

@@ -112,7 +112,7 @@ def atmosphere(law, thermostat, seed, count=200, width=400.0, gravity=0.2):
     )
     simulation.advance(until=150.0)
     height, energy = [], []
-    for turn in range(1, 501):
+    for turn in range(1, 301):
         simulation.advance(until=150.0 + 2.0 * turn)
         height.append(simulation.state.position[:, 1] - 0.5)
         energy.append(0.5 * np.sum(simulation.state.velocity**2, axis=1))
