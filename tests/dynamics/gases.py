@@ -6,9 +6,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from gasbox.dynamics import EventDriven, Stepped
+from gasbox.dynamics import EventDriven, Forced, ForcedSettings, Stepped, pair_terms
 from gasbox.geometry import Rectangle
 from gasbox.protocols import Dynamics, Status
+from gasbox.scenario import PairLaw
 from gasbox.state import Contacts, Memory, State, Tallies
 
 Maker = Callable[..., Dynamics]
@@ -92,6 +93,13 @@ def stepped(
     state: State, geometry: Rectangle, contacts: int = 0, memory: Memory | None = None, time_step=0.05
 ):
     return Stepped(state, geometry, time_step, _tallies(state), Contacts.empty(contacts), memory)
+
+
+def forced(state: State, geometry: Rectangle, contacts: int = 0, memory: Memory | None = None):
+    """Soft discs, whatever their radii."""
+    law = PairLaw("wca", 1.0, 0.3, 0.3 * 2 ** (1 / 6), "shifted", 1.5, 0.3)
+    settings = ForcedSettings(0.002, pair_terms({(0, 0): law}, 1), 0.3)
+    return Forced(state, geometry, settings, _tallies(state), Contacts.empty(contacts), memory)
 
 
 def _tallies(state: State) -> Tallies:

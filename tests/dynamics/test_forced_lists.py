@@ -109,6 +109,21 @@ def test_across_a_corner_of_the_box():
     assert (simulation.state.position > 5.0).all()
 
 
+@pytest.mark.small
+@pytest.mark.parametrize("way", [(1.0, 0.0), (0.0, 1.0), (0.6, 0.8)])
+def test_two_that_fly_at_each_other(way):
+    """Just too far to be listed at first, they are within reach before either has gone farther than the skin."""
+    way = np.array(way)
+    position = [10.0 - 1.46 * way, 10.0 + 1.46 * way]
+    simulation = Simulation(scenario(rectangle(20, 20), position, [8.0 * way, -8.0 * way]))
+    seen = 0
+    for step in range(1, 21):
+        simulation.advance(until=0.005 * step)
+        check(simulation)
+        seen += simulation.state.potential != 0.0
+    assert seen > 12
+
+
 def test_a_thousand_steps_keep_the_energy_of_the_twin():
     container, position, velocity = dense()
     smooth = {"truncation": "force-shifted"}

@@ -214,6 +214,8 @@ class Forced:
         """Let the kernel go on to a step, or to where it needs something."""
         assert self._team is not None
         count = np.array([self.contacts.count], np.int64)
+        # Whoever goes on with a run may have given it other tallies.
+        self._books = forced.books(self.tallies)._replace(now=self._books.now)
         status = self._team.run(
             forced.advance,
             self._tables.crowd,
