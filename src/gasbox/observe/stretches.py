@@ -31,6 +31,8 @@ _NEAR: Final = 0.5
 """Of a stretch beside a transition and clear of it, the share next to it to which a line is fitted."""
 _LEAST_FRAMES: Final = 4
 """For such a line."""
+_UNSURE: Final = 0.5
+"""Of a latent heat: an error as large as that says that there is none to be read."""
 
 
 @dataclass(frozen=True)
@@ -97,7 +99,8 @@ def latent_heats(curve: HeatingCourse) -> list[LatentHeat]:
 
     Enthalpy against temperature is nearly a straight line on both sides; the latent heat is the distance of the two
     lines at the temperature of the transition. So neither the thresholds that mark stretches nor the tilt of the
-    plateau of a finite gas enter much. A transition without enough frames on both sides is left out.
+    plateau of a finite gas enter much. A transition without enough frames on both sides is left out, and so is one whose
+    error is as large as half of it: at constant area, the lines on both sides may say nothing.
     """
     marked = stretches(curve)
     found = []
@@ -110,13 +113,16 @@ def latent_heats(curve: HeatingCourse) -> list[LatentHeat]:
             continue
         warmth = float(np.mean(curve.temperature[here.begin : here.end]))
         (low, low_error), (high, high_error) = (_heat_at(curve, side, warmth) for side in (one, other))
+        heat, error = abs(high - low), float(np.hypot(low_error, high_error))
+        if not error <= _UNSURE * heat:
+            continue
         ends = curve.heat[[here.begin, here.end - 1]]
         found.append(
             LatentHeat(
                 here.name,
                 warmth,
-                abs(high - low),
-                float(np.hypot(low_error, high_error)),
+                heat,
+                error,
                 float(np.min(ends)),
                 float(np.max(ends)),
             )
