@@ -18,7 +18,7 @@ class Recipe:
     ----------
     particles : discs at each point
     cutoff : of the forces [sigma]; the energy there is taken off
-    settle : simulated time before anything is measured [time]
+    settle : simulated time before anything is measured [time]; more in a thin gas
     measure : simulated time over which means are taken [time]
     seed : of all points
     """
