@@ -84,8 +84,9 @@ def test_energy_error_falls_as_the_square_of_the_step(place, walls):
 
 
 @angular_place
-def test_energy_error_at_corners_falls_as_the_square_of_the_step(place):
-    assert error(place, "reflecting", 0.008) / error(place, "reflecting", 0.002) > 8.0
+@every_wall
+def test_energy_error_at_corners_falls_as_the_square_of_the_step(place, walls):
+    assert error(place, walls, 0.008) / error(place, walls, 0.002) > 8.0
 
 
 @every_wall

@@ -29,7 +29,8 @@ class Tallies:
         of an open wall, those that have left the gas
     wall_carried : (walls, s) float64 [energy], kinetic energy of those that have left
     rest_energy : (1,) float64 [energy], that the rule for discs at rest has given to the gas
-    kinetic_time : (1,) float64 [energy·time], time integral of the kinetic energy (forced dynamics alone)
+    kinetic_time : (1,) float64 [energy·time], time integral of the kinetic energy (forced dynamics alone), without that
+        of the whole gas's motion where momentum is conserved
     potential_time : (1,) float64 [energy·time], likewise of the potential energy of all forces between discs
     area_time : (1,) float64 [length²·time], likewise of the area of a box that a barostat changes
     thermostat_heat : (1,) float64 [energy], that a thermostat has given to the gas

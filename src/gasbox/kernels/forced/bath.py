@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.forced.noise import gamma, gaussians
 from gasbox.kernels.forced.tables import BLOCK, HEAT, KINETIC, MASS, POTENTIAL, PX, PY, VIRIAL, Atoms, Room
-from gasbox.kernels.lanes import WIDTH, load, spread, store, total
+from gasbox.kernels.lanes import WIDTH, choose, load, spread, store, total
 from gasbox.rng import Stream
 
 __all__ = ["EVERY", "Bath", "Sums", "aim", "factor", "rescale", "rub", "stretch", "sum_atoms", "sum_blocks"]
@@ -34,7 +34,7 @@ OFF, LANGEVIN, RESCALING = range(3)
 EVERY = 10
 """Steps between two measurements of energy and virial, and between two changes of the area."""
 _MOST = 0.05
-"""Largest change of ln A at once."""
+"""Largest change of ln A at once, apart from noise."""
 _LANGEVIN, _RESCALING, _BAROSTAT = int(Stream.LANGEVIN), int(Stream.RESCALING), int(Stream.BAROSTAT)
 
 
@@ -164,10 +164,12 @@ def factor(
 
 @bare_kernel
 def rescale(atoms: Atoms, by: float, ux: float, uy: float, begin: int, end: int) -> None:
-    """Multiply velocities relative to (ux, uy). begin, end : multiples of WIDTH."""
+    """Multiply velocities relative to (ux, uy), but not where there is no atom. begin, end : multiples of WIDTH."""
     for k in range(begin, end, WIDTH):
-        store(atoms.vx, k, (load(atoms.vx, k) - ux) * by + ux)
-        store(atoms.vy, k, (load(atoms.vy, k) - uy) * by + uy)
+        taken = load(atoms.rate, k) > 0.0
+        vx, vy = load(atoms.vx, k), load(atoms.vy, k)
+        store(atoms.vx, k, choose(taken, (vx - ux) * by + ux, vx))
+        store(atoms.vy, k, choose(taken, (vy - uy) * by + uy, vy))
 
 
 @bare_kernel
@@ -176,8 +178,9 @@ def stretch(
 ) -> float:
     """By what the barostat multiplies all lengths, after a time `duration` without it.
 
-    d ln A = -(P0 - P) A / (N T tau) dt + sqrt(2 / (N tau)) dW, with the present pressure P and the thermostat's aim,
-    or the present temperature, T.
+    d ln A = [(P - P0) A + T] / (N T tau) dt + sqrt(2 / (N tau)) dW, with the present pressure P and the thermostat's
+    aim, or the present temperature, T. The centre of mass, whose motion is no heat, counts to the pressure with T. So A
+    is distributed as the partition function at A times exp(-P0 A / T), of an ideal gas as A^N exp(-P0 A / T).
     """
     drive = bath.drive
     temperature = 2.0 * thermal / bath.freedom
@@ -185,8 +188,8 @@ def stretch(
         temperature = aim(drive, T_FROM, time)
     if not temperature > 0.0:
         return 1.0
-    pressure = (thermal + 0.5 * virial) / area
+    push = thermal + 0.5 * virial + 2.0 * temperature - aim(drive, P_FROM, time) * area
     pace = duration / (n * drive[P_TIME])
     one, _ = gaussians(bath.seed, _BAROSTAT, 0, 0, step)
-    change = (pressure - aim(drive, P_FROM, time)) * area / temperature * pace + math.sqrt(2.0 * pace) * one
-    return math.exp(0.5 * max(-_MOST, min(change, _MOST)))
+    change = max(-_MOST, min(push / temperature * pace, _MOST))
+    return math.exp(0.5 * (change + math.sqrt(2.0 * pace) * one))

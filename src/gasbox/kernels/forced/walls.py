@@ -20,6 +20,7 @@ from gasbox.kernels.arguments import Box, Gas, Ledger, book_hall
 from gasbox.kernels.forced.tables import Atoms
 from gasbox.kernels.hall.rebound import thermal_speeds
 from gasbox.kernels.hall.tables import (
+    CORNER,
     FACES,
     HIGH,
     KIND,
@@ -41,6 +42,8 @@ from gasbox.kernels.hall.tables import (
 __all__ = ["Walls", "list_walls", "push_back", "turn_round", "walls"]
 
 _SMOOTH = 2.0 ** (1.0 / 6.0)
+_CLOSE = 1e-6
+"""Of the box: a corner so near to the end of a side is that end."""
 
 
 class Walls(NamedTuple):
@@ -205,6 +208,26 @@ def _mirror(
 
 
 @bare_kernel
+def _is_beside(walls: Walls, entry: int, atoms: Atoms, box: Box) -> bool:
+    """Whether an atom near a corner stands before a side that ends there: then that side alone pushes."""
+    hall = walls.hall
+    k, corner = walls.near[entry, 0], walls.near[entry, 1]
+    x = atoms.x[k] - walls.near[entry, 2] * box.width
+    y = atoms.y[k] - walls.near[entry, 3] * box.height
+    for e in range(hall.kind.shape[0]):
+        if hall.kind[e, KIND] != SIDE:
+            continue
+        px, py = hall.shape[corner, PX] - hall.shape[e, PX], hall.shape[corner, PY] - hall.shape[e, PY]
+        tx, ty = hall.shape[e, TX], hall.shape[e, TY]
+        low, high = hall.shape[e, LOW], hall.shape[e, HIGH]
+        along, close = px * tx + py * ty, _CLOSE * box.width
+        ends_here = min(abs(along - low), abs(along - high)) <= close and abs(px * ty - py * tx) <= close
+        if ends_here and low <= (x - hall.shape[e, PX]) * tx + (y - hall.shape[e, PY]) * ty <= high:
+            return True
+    return False
+
+
+@bare_kernel
 def push_back(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time_step: float) -> None:
     """Add the forces of smooth walls, and their energy; the impulse of a step is booked on the wall."""
     hall = walls.hall
@@ -212,6 +235,8 @@ def push_back(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time
         k, e, nx, ny, away = _approach(walls, entry, atoms, box)
         row = atoms.row[k]
         r = gas.radius[row]
+        if hall.kind[e, KIND] == CORNER and _is_beside(walls, entry, atoms, box):
+            continue
         behind = away + r
         if behind >= _SMOOTH * 2.0 * r:
             continue
