@@ -69,7 +69,7 @@ def test_grid() -> None:
     found = grid_points(3, 4)
     assert len(found) == len(set(found)) == 12
     assert found == sorted(found)
-    assert [found[0], found[-1]] == [(0.32, 0.02), (0.6, 0.92)]
+    assert [found[0], found[-1]] == [(0.32, 0.03), (0.6, 0.93)]
 
 
 def test_workers_change_no_number() -> None:

@@ -35,7 +35,7 @@ QUICK: Final = Recipe(particles=200, settle=300.0, measure=100.0)
 """A rough diagram in half a minute."""
 
 _TEMPERATURES: Final = (0.32, 0.60)
-_DENSITIES: Final = (0.02, 0.92)
+_DENSITIES: Final = (0.03, 0.93)
 _DIGITS: Final = 5
 
 

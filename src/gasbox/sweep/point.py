@@ -25,8 +25,8 @@ _LOOSE: Final = 1.12
 """Distance of neighbours in the crystal of the start [length], where there is room for it."""
 _ROOM: Final = 0.94
 """Share of the box that such a crystal fills at most: one without a surface overheats."""
-_THIN: Final = 0.1
-"""Density [1/length²] below which a gas gets more time to settle, as much as its box is larger."""
+_THIN: Final = 0.3
+"""Density [1/length²] below which a drop gets more time to evaporate, as much as the box is larger."""
 _CLOSER: Final = 0.995
 """Factor by which the distance is made smaller until all discs have room."""
 
@@ -89,7 +89,7 @@ def measure(
     stopped : asked often; once it says so, the run is given up and None returned
     """
     simulation = Simulation(scenario_at(temperature, density, recipe), threads=1)
-    # Of a drop that evaporates, the vapour has to spread through the whole box.
+    # Until a drop has evaporated into a large box takes long.
     patience = max(1.0, _THIN / density)
     for _ in range(max(round(recipe.settle * patience / _FRAME), 1)):
         if stopped():
