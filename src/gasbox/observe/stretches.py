@@ -99,8 +99,8 @@ def latent_heats(curve: HeatingCourse) -> list[LatentHeat]:
 
     Enthalpy against temperature is nearly a straight line on both sides; the latent heat is the distance of the two
     lines at the temperature of the transition. So neither the thresholds that mark stretches nor the tilt of the
-    plateau of a finite gas enter much. A transition without enough frames on both sides is left out, and so is one whose
-    error is as large as half of it: at constant area, the lines on both sides may say nothing.
+    plateau of a finite gas enter much. A transition without enough frames on both sides is left out, and so is one
+    whose error is as large as half of it: at constant area, the lines on both sides may say nothing.
     """
     marked = stretches(curve)
     found = []
