@@ -12,7 +12,7 @@ from placed_gases import assert_in_place, gas
 
 from gasbox.errors import ScenarioError
 from gasbox.initial import populate, worst_overlap
-from gasbox.scenario import load, parse, shipped
+from gasbox.scenario import Forced, load, parse, shipped
 
 PERIODIC = [(), ("x",), ("y",), ("x", "y")]
 
@@ -27,7 +27,10 @@ def is_populated(scenario):
 def test_shipped_scenarios(name):
     scenario = load(name)
     state = populate(scenario)
-    assert worst_overlap(state, scenario.geometry()) is None
+    overlap = worst_overlap(state, scenario.geometry())
+    # Under forces discs are placed with nine tenths of their width: what presses is moved apart before the start.
+    allowed = 0.1 * 2.0 * state.radius.max() if isinstance(scenario.dynamics, Forced) else 0.0
+    assert overlap is None or overlap.depth <= allowed
     listed = scenario.particles.count if scenario.particles else 0
     assert state.count == listed + sum(species.count for species in scenario.species)
     assert state.id.tolist() == list(range(state.count))
