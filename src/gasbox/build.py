@@ -14,6 +14,7 @@ from gasbox.errors import Problem, ScenarioError
 from gasbox.geometry import Geometry
 from gasbox.initial import Overlap, populate, recall_walls, separate, worst_overlap
 from gasbox.jit import mark_compiled
+from gasbox.kernels.forced.bath import T_TO
 from gasbox.protocols import Dynamics
 from gasbox.scenario import (
     EventDriven,
@@ -67,6 +68,7 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
     warnings: list[str] = []
     memory = _memory(scenario)
     if scenario.snapshot is not None and memory is None:
+        _refuse_another_box(geometry, scenario.snapshot)
         recall_walls(state, geometry, scenario.snapshot)
     if isinstance(scenario.dynamics, EventDriven) and memory is None:
         _part(state, geometry, scenario, warnings)
@@ -77,6 +79,19 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
         warnings += _tunnelling(state, scenario.dynamics.time_step)
     return Parts(
         state, geometry, dynamics, _frame_interval(scenario, state, geometry), tuple(warnings), changes
+    )
+
+
+def _refuse_another_box(geometry: Geometry, snapshot: Snapshot) -> None:
+    """Raise ScenarioError for a gas whose box a barostat has changed, under a dynamics that knows nothing of that."""
+    box = np.asarray(snapshot.memory.get("box", geometry.size), np.float64)
+    if np.array_equal(box, geometry.size):
+        return
+    found = (
+        f"{geometry.width:g} x {geometry.height:g}, but a barostat has made it {box[0]:.6g} x {box[1]:.6g}"
+    )
+    raise ScenarioError(
+        [Problem("container", found, 'the present width and height, or dynamics kind "forced"')]
     )
 
 
@@ -141,6 +156,9 @@ def _forced_settings(scenario: Scenario, state: State) -> rules.ForcedSettings:
     thermostat = scenario.thermostat
     if thermostat is not None and thermostat.temperature is None:
         warm = starting_temperature(scenario.species)
+        said = scenario.snapshot.memory.get("drive_said") if scenario.snapshot is not None else None
+        if warm is None and said is not None:
+            warm = float(said[T_TO])
         if warm is None:
             warm = 0.5 * float(np.mean(state.mass @ state.velocity**2)) / max(state.count, 1)
         thermostat = thermostat.model_copy(update={"temperature": warm})

@@ -8,6 +8,7 @@ from forced_gases import bits, lattice, rectangle, scattered, scenario
 from gases import collect
 
 from gasbox import Simulation, load
+from gasbox.scenario import with_settings
 from gasbox.state import Contacts
 
 ATOM = {"name": "atom", "radius": 0.5, "count": 220, "temperature": 1.0}
@@ -103,6 +104,33 @@ def test_stopped_and_resumed(gas, whole, tmp_path):
         assert simulation.warnings == ()
     simulation.advance(until=UNTIL)
     assert bits(simulation) == whole(gas)[0]
+
+
+def test_resumed_in_a_box_that_has_grown_much(tmp_path):
+    """Strips follow the box as it is: who goes on divides it as who never stopped."""
+    bath = {"thermostat": {**LANGEVIN, "temperature": 1.5}, "barostat": {"pressure": 0.1, "time": 1.0}}
+    crystal = {"name": "atom", "radius": 0.5, "count": 400, "temperature": 1.5, "lattice": 1.0}
+    simulation = Simulation(scenario(rectangle(20, 17.32), species=[crystal], time_step=0.002, **bath))
+    simulation.advance(until=1.5)
+    simulation.save(tmp_path / "snapshot.json")
+    later = Simulation(load(tmp_path / "snapshot.json"))
+    for one in (simulation, later):
+        one.advance(until=2.0)
+    assert simulation.state.wall_displacement[1] > 10.0
+    assert bits(simulation) == bits(later)
+
+
+def test_resumed_with_something_else_asked_for(tmp_path):
+    """Another bath replaces what was remembered; another time step keeps the time."""
+    simulation = Simulation(scene(GASES["rescaling"]))
+    simulation.advance(until=1.0)
+    simulation.save(tmp_path / "snapshot.json")
+    snapshot = load(tmp_path / "snapshot.json")
+    warmer = Simulation(with_settings(snapshot, {"thermostat.temperature": "3"}))
+    warmer.advance(until=5.0)
+    assert warmer.temperature() == pytest.approx(3.0, rel=0.35)
+    finer = Simulation(with_settings(snapshot, {"dynamics.time_step": "0.001"}))
+    assert finer.time == 1.0
 
 
 def test_walls_are_met(whole):

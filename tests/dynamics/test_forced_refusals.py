@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from forced_gases import energy, rectangle, scattered, scenario
 
-from gasbox import DynamicsError, Simulation
+from gasbox import DynamicsError, ScenarioError, Simulation
+from gasbox.scenario import parse
 
 ATOM = {"name": "atom", "radius": 0.5, "count": 80, "temperature": 1.0}
 MOVED = "discs that overlapped were moved apart before the start"
@@ -118,3 +119,36 @@ def test_velocities_stay_as_they_were_where_discs_are_moved():
     assert simulation.warnings[0].startswith(MOVED)
     assert simulation.state.velocity.tolist() == velocity
     assert simulation.state.position[2].tolist() == [5.0, 5.0]
+
+
+def test_a_place_that_is_no_number_stops_the_run():
+    simulation = Simulation(scenario(rectangle(12, 12), species=[{**ATOM, "count": 60, "temperature": 1.0}]))
+    simulation.state.velocity[3] = np.nan
+    simulation.dynamics.resync(simulation.state)
+    with pytest.raises(DynamicsError):
+        simulation.advance(until=1.0)
+
+
+def test_weight_is_no_overlap():
+    heavy = {"name": "heavy", "radius": 0.5, "mass": 100.0, "count": 40, "temperature": 1.0}
+    simulation = Simulation(
+        scenario(rectangle(20, 20, []), species=[heavy], gravity=[0, -10], time_step=0.002)
+    )
+    assert not any("moved apart" in sentence for sentence in simulation.warnings)
+
+
+def test_a_box_that_has_grown_is_not_forgotten():
+    simulation = Simulation(
+        scenario(
+            rectangle(8, 8),
+            species=[{**ATOM, "count": 30, "temperature": 3.0}],
+            thermostat={"kind": "langevin", "temperature": 3.0},
+            barostat={"pressure": 0.01, "time": 2.0},
+        )
+    )
+    simulation.advance(until=1.0)
+    data = simulation.snapshot().to_dict()
+    for key in ("barostat", "thermostat"):
+        del data[key]
+    with pytest.raises(ScenarioError, match="barostat has made it"):
+        Simulation(parse({**data, "dynamics": {"kind": "event-driven"}}))

@@ -23,10 +23,12 @@ def test_rows_of_a_heating_curve():
     curve: Observer = observe.HeatingCurve(box, pressure=0.5)
     tallies = Tallies.zero(1, 4)
     tallies.kinetic_time[0] = 100.0  # before this run
+    tallies.measured_time[0] = 7.0
     curve.start(state, tallies)
     later = moved(state.copy(), 0.0, 1.0, 0.0, 0.0)
     later.time, later.potential = 2.0, -24.0
     tallies.kinetic_time[0] += 2.0 * 30.0
+    tallies.measured_time[0] += 2.0
     for _ in range(2):
         curve.observe(later, tallies)
     found = curve.value()

@@ -131,13 +131,13 @@ def test_common_area_makes_both_routes_agree_on_the_ideal_gas():
 
 def test_forces_are_measured_by_means_over_time():
     torus = Rectangle(10.0, 20.0, True, True)
-    sums = change(pair_virial=6.0, kinetic_time=36.0, area_time=4.0 * 210.0)
+    sums = change(pair_virial=6.0, kinetic_time=36.0, area_time=4.0 * 210.0, measured_time=4.0)
     counts = np.array([10])
     # K = 9 on average, so T = 2·9/18 = 1, whatever it is now; 6/(2·4) of the virial, over the mean area.
-    found = observe.virial_pressure(sums, torus, np.ones(1), counts, temperature=3.0, duration=4.0)
+    found = observe.virial_pressure(sums, torus, np.ones(1), counts, temperature=3.0, duration=4.2)
     assert found == pytest.approx((10 * 1.0 + 6.0 / 8.0) / 210.0)
     # Between walls nothing changes the area: centres reach 8 x 18, and T = 2·9/20.
     walled = observe.virial_pressure(
-        sums, Rectangle(10.0, 20.0), np.ones(1), counts, temperature=3.0, duration=4.0
+        sums, Rectangle(10.0, 20.0), np.ones(1), counts, temperature=3.0, duration=4.2
     )
     assert walled == pytest.approx((10 * 0.9 + 6.0 / 8.0) / (8.0 * 18.0))

@@ -161,6 +161,11 @@ def test_walls_that_forces_do_not_know(sections, place):
     assert problems(container=WALLED, **sections)[place].allowed == "not available under forces"
 
 
+def test_warm_walls_must_turn_discs_round():
+    found = problems(container=WALLED, walls={"left": {"temperature": 1}}, forces={"walls": "repulsive"})
+    assert found["walls.left.temperature"].allowed == 'forces.walls "reflecting"'
+
+
 @pytest.mark.parametrize(
     ("container", "more", "found"),
     [

@@ -30,7 +30,8 @@ FORCED = {
     "position": [[1, 2]],
     "built": [[1, 2]],
     "box": [40, 30],
-    "drive": [0.3, 0.0],
+    "drive": [0.3] * 13,
+    "drive_said": [0.3] * 13,
 }
 LISTED = [{"species": "gas", "position": [1, 1]}]
 

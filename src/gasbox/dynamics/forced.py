@@ -94,12 +94,17 @@ class Forced:
         self._threads = threads
         self._seed = seed
         self._team: Team | None = None
-        step = int(memory["forced_step"]) if memory else round(state.time / self.time_step)
+        # Of a snapshot that goes on with another time step, only the time still holds.
+        step = round(state.time / self.time_step)
+        if memory and abs(int(memory["forced_step"]) * self.time_step - state.time) < 0.5 * self.time_step:
+            step = int(memory["forced_step"])
         self._clock = np.array([step], np.int64)
         state.time = self._time
         self._size = geometry.size if memory is None else np.asarray(memory["box"], np.float64)
-        self._drive = Drive(drive_of(settings.thermostat, settings.barostat, settings.heating))
-        if memory:
+        self._said = drive_of(settings.thermostat, settings.barostat, settings.heating)
+        self._drive = Drive(self._said.copy())
+        if memory and np.array_equal(self._said, memory["drive_said"]):
+            # Otherwise who goes on has asked for other baths.
             self._drive.values[:] = np.asarray(memory["drive"], np.float64)
         self._enter(state, geometry)
         self._begin(state, memory)
@@ -124,15 +129,17 @@ class Forced:
         self._tables.crowd.room.sums[:] = 0.0
 
     def _temperature(self, state: State) -> float:
-        kinetic = 0.5 * float(np.sum(state.mass @ state.velocity**2))
-        return 2.0 * kinetic / self._bath.freedom if self._bath.freedom else 0.0
+        drifts = np.array([self._bath.drifts_x, self._bath.drifts_y])
+        common = np.where(drifts, state.mass @ state.velocity / max(float(state.mass.sum()), 1e-300), 0.0)
+        square = float(np.sum(state.mass @ (state.velocity - common) ** 2))
+        return square / self._bath.freedom if self._bath.freedom else 0.0
 
     def _enter(self, state: State, geometry: Geometry) -> None:
         """Take over a geometry."""
-        self._geometry = geometry
         enclosure = as_enclosure(geometry)
         if enclosure.moves or any(wall.open or wall.passes is not None for wall in enclosure.walls):
             raise UsageError("under forces no wall moves, is open or lets some pass")
+        self._geometry = geometry
         self._hall = hall(enclosure, self.tallies.pair_collisions.shape[0], self._seed)
         drifts = conserved_momentum(geometry)
         self._bath = forced.Bath(
@@ -265,7 +272,8 @@ class Forced:
         """What goes on with the same bits.
 
         ``forced_step``: steps done; ``position`` (n, 2): places, also outside a periodic box; ``built`` (n, 2):
-        places at which neighbours were listed; ``box`` (2,): its size; ``drive``: aims of thermostat and barostat.
+        places at which neighbours were listed; ``box`` (2,): its size; ``drive``: aims of thermostat and barostat;
+        ``drive_said``: those that the scenario says.
         """
         atoms = self._tables.crowd.atoms
         return {
@@ -274,4 +282,5 @@ class Forced:
             "built": self._tables.by_row(atoms.bx, atoms.by),
             "box": self._size.copy(),
             "drive": self._drive.values.copy(),
+            "drive_said": self._said.copy(),
         }

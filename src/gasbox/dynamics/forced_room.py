@@ -49,17 +49,17 @@ class Tables:
         self._hall, self._wall_strength = hall, wall_strength
         around = state.count * (2.0 * reach) ** 2 / (size[0] * size[1])
         self._entries, self._slots = max(_FEWEST, around / 2.0), _EXPECTED
-        self._thickness = reach / max(1, round(around / 20.0))
         self._atoms = forced.atoms(state)
         self._make(size)
 
     def _make(self, size: tuple[float, float]) -> None:
-        strips = forced.strips(size[1], self._reach, self._thickness, self._threads)
+        thick = forced.thickness(self._count, size[0] * size[1], self._reach)
+        strips = forced.strips(size[1], self._reach, thick, self._threads)
         images = 1.0
         if self._periodic[0]:
             images *= 1.0 + 2.0 * self._reach / size[0]
         if self._periodic[1]:
-            images *= 1.0 + 2.0 * (self._reach + self._thickness) / size[1]
+            images *= 1.0 + 2.0 * (self._reach + thick) / size[1]
         slots = forced.slots(int(self._slots * self._count * images) + 16 * strips.slot.shape[0] + 64)
         # Each thread fills a part of its own, and stops when all strips around an atom might not fit.
         spare = self._threads * slots.x.shape[0]

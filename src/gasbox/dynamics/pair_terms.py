@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -31,7 +30,7 @@ def _kernel_law(law: PairLaw) -> tuple[int, _Parameters]:
             return INVERSE_POWERS, (sigma**2, epsilon, 0.0, 0.0)
         case "yukawa":
             length = law.screening_length
-            return SCREENED, (epsilon * sigma * math.exp(sigma / length), 1.0 / length, 0.0, 0.0)
+            return SCREENED, (epsilon * sigma, 1.0 / length, sigma, 0.0)
         case "square-well":
             return WELL, (sigma**2, epsilon, _STEEPNESS, _STEEPNESS * law.reach)
     raise ValueError(law.law)  # pragma: no cover

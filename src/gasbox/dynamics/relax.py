@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.dynamics.forced import Forced, ForcedSettings
-from gasbox.geometry import Geometry
+from gasbox.geometry import Enclosure, Geometry
 from gasbox.rng import Stream, generator
 from gasbox.state import Contacts, State, Tallies
 
@@ -46,8 +47,10 @@ def relax(
     unit = strength / settings.sigma
     start = state.position.copy()
     species, walls = int(state.species.max()) + 1, len(geometry.wall_names)
+    # Weight presses, but it is no overlap.
+    still = dataclasses.replace(geometry, gravity=(0.0, 0.0)) if isinstance(geometry, Enclosure) else geometry
     trial = Forced(
-        state.copy(), geometry, _without_baths(settings), Tallies.zero(species, walls), Contacts.empty(0)
+        state.copy(), still, _without_baths(settings), Tallies.zero(species, walls), Contacts.empty(0)
     )
     moved = False
     limit = _TOO_STRONG * unit

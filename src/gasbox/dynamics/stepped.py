@@ -57,8 +57,10 @@ class Stepped:
         self._threads = threads
         self._seed = seed
         self._team: Team | None = None
-        # What another dynamics has left goes on at the nearest step.
-        step = int(memory["step"]) if memory else round(state.time / time_step)
+        # What another dynamics, or another time step, has left goes on at the nearest step.
+        step = round(state.time / time_step)
+        if memory and abs(int(memory["step"]) * time_step - state.time) < 0.5 * time_step:
+            step = int(memory["step"])
         self._clock = np.array([step], np.int64)
         state.time = self._time
         self._enter(state, geometry, memory.get("walls") if memory else None)

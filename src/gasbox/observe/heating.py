@@ -103,7 +103,7 @@ class HeatingCurve:
         heat = self._heat(internal_energy(state, self._geometry), area, pressure) / state.count
         each = enthalpy(state, self._geometry, pressure) / state.count
         shares = phase_shares(phases(state, self._geometry, self._distance))
-        warmth = self._temperature(state, float(tallies.kinetic_time[0]))
+        warmth = self._temperature(state, tallies)
         self._rows.append((state.time, heat, each, warmth, state.count / area, *shares))
 
     def value(self) -> HeatingCourse:
@@ -122,11 +122,12 @@ class HeatingCurve:
         )
         return self._sum
 
-    def _temperature(self, state: State, kinetic_time: float) -> float:
+    def _temperature(self, state: State, tallies: Tallies) -> float:
         """2/f times the mean kinetic energy since the last row; where nobody summed it, as it is now."""
-        (time, before), self._before = self._before, (state.time, kinetic_time)
+        now_at = float(tallies.measured_time[0]), float(tallies.kinetic_time[0])
+        (time, before), self._before = self._before, now_at
         freedom = degrees_of_freedom(state.count, self._geometry)
-        if self._rows and freedom and kinetic_time > before:
-            return 2.0 * (kinetic_time - before) / (freedom * (state.time - time))
+        if self._rows and freedom and now_at[0] > time:
+            return 2.0 * (now_at[1] - before) / (freedom * (now_at[0] - time))
         now = temperature(state, self._geometry)
         return np.nan if now is None else now

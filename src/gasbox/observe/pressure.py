@@ -110,6 +110,8 @@ def virial_pressure(
     Source: B. J. Alder and T. E. Wainwright, J. Chem. Phys. 33, 1439 (1960), doi:10.1063/1.1731425, in two
     dimensions.
     """
+    # Under forces sums go over whole spans between measurements.
+    duration = float(change.measured_time[0]) or duration
     area = _mean_area(change, geometry, radii, counts, duration)
     if duration <= 0.0 or temperature is None or area is None:
         return None

@@ -109,6 +109,11 @@ def _walls(parts: Parts) -> Iterator[Problem]:
         ):
             if getattr(surface, key):
                 yield Problem(f"{path}.{key}", found, "not available under forces")
+        smooth = parts.forces is not None and parts.forces.walls == "repulsive"
+        if smooth and surface.temperature is not None:
+            yield Problem(
+                f"{path}.temperature", "a warm wall that pushes back smoothly", 'forces.walls "reflecting"'
+            )
     for number, entry in enumerate(parts.schedule):
         if entry is None:
             continue

@@ -21,12 +21,15 @@ _OF_WALL: Final = 8
 """Numbers by which the motion of a wall is remembered."""
 _COUNTS: Final = frozenset({"epoch", "step", "forced_step"})
 """Whole numbers."""
+_OF_BATHS: Final = 13
+"""Numbers by which thermostat, barostat and heating are remembered."""
 _SUMS: Final = frozenset({"wall_impulse", "wall_carried"})
 """What never falls; work and heat go both ways."""
 _LATER: Final = frozenset(
     {
         *("wall_work", "wall_heat", "wall_passed", "wall_carried", "rest_energy"),
-        *("kinetic_time", "potential_time", "area_time", "thermostat_heat", "heater_heat", "barostat_work"),
+        *("kinetic_time", "potential_time", "area_time", "measured_time"),
+        *("thermostat_heat", "heater_heat", "barostat_work"),
     }
 )
 """Sums that older snapshots do not have yet; they start from zero."""
@@ -74,9 +77,7 @@ def _memory(memory: dict[str, Any], particles: int, walls: int) -> Iterator[Prob
             continue
         found = np.asarray(memory[name])
         # Without particles there are no rows to tell the shape from.
-        if shape is None and found.ndim != 1:
-            yield Problem(path, f"the shape {list(found.shape)}", "must be a list of numbers")
-        elif shape is not None and found.shape != shape and found.size + particles > 0:
+        if found.shape != shape and found.size + particles > 0:
             yield Problem(path, f"the shape {list(found.shape)}", f"must have the shape {list(shape)}")
         elif name in _COUNTS and (found.dtype.kind != "i" or abs(int(found)) > _MOST):
             yield Problem(path, short(memory[name]), "must be a whole number")
@@ -84,9 +85,9 @@ def _memory(memory: dict[str, Any], particles: int, walls: int) -> Iterator[Prob
             yield Problem(path, short(memory[name]), "must be greater than 0")
 
 
-def _shapes(memory: dict[str, Any], particles: int, walls: int) -> dict[str, tuple[int, ...] | None]:
-    """The shape of everything that is to be there; None for a list of any length."""
-    shapes: dict[str, tuple[int, ...] | None] = {}
+def _shapes(memory: dict[str, Any], particles: int, walls: int) -> dict[str, tuple[int, ...]]:
+    """The shape of everything that is to be there."""
+    shapes: dict[str, tuple[int, ...]] = {}
     vectors, row = (particles, 2), (particles,)
     if "epoch" in memory:
         shapes |= {"epoch": (), "epoch_length": (), "position": vectors, "velocity": vectors, "time": row}
@@ -94,7 +95,7 @@ def _shapes(memory: dict[str, Any], particles: int, walls: int) -> dict[str, tup
         shapes["step"] = ()
     if "forced_step" in memory:
         shapes |= {"forced_step": (), "position": vectors, "built": vectors, "box": (2,)}
-        shapes["drive"] = None
+        shapes |= {"drive": (_OF_BATHS,), "drive_said": (_OF_BATHS,)}
     if "walls" in memory:
         shapes["walls"] = (walls, _OF_WALL)
     return shapes

@@ -33,6 +33,7 @@ class Tallies:
         of the whole gas's motion where momentum is conserved
     potential_time : (1,) float64 [energy·time], likewise of the potential energy of all forces between discs
     area_time : (1,) float64 [length²·time], likewise of the area of a box that a barostat changes
+    measured_time : (1,) float64 [time], over which these integrals go: whole spans between measurements
     thermostat_heat : (1,) float64 [energy], that a thermostat has given to the gas
     heater_heat : (1,) float64 [energy], that heating at a given power has given to the gas
     barostat_work : (1,) float64 [energy], that a barostat has given to the gas by changing its area
@@ -50,6 +51,7 @@ class Tallies:
     kinetic_time: NDArray[np.float64]
     potential_time: NDArray[np.float64]
     area_time: NDArray[np.float64]
+    measured_time: NDArray[np.float64]
     thermostat_heat: NDArray[np.float64]
     heater_heat: NDArray[np.float64]
     barostat_work: NDArray[np.float64]
@@ -71,6 +73,7 @@ class Tallies:
             kinetic_time=np.zeros(1),
             potential_time=np.zeros(1),
             area_time=np.zeros(1),
+            measured_time=np.zeros(1),
             thermostat_heat=np.zeros(1),
             heater_heat=np.zeros(1),
             barostat_work=np.zeros(1),

@@ -3,6 +3,7 @@
 from gasbox.kernels.forced.advance import FORCE_FIRST, LIST_FIRST, LISTED, TOO_FAR, advance
 from gasbox.kernels.forced.bath import Bath
 from gasbox.kernels.forced.lists_anew import GROW, Rule
+from gasbox.kernels.forced.sort import thickness
 from gasbox.kernels.forced.tables import Crowd, Terms, atoms, books, lists, room, slots, strips
 from gasbox.kernels.forced.walls import Walls, walls
 
@@ -24,5 +25,6 @@ __all__ = [
     "room",
     "slots",
     "strips",
+    "thickness",
     "walls",
 ]

@@ -83,6 +83,7 @@ def _end(
             books.potential_time[0] += sums.potential * duration
             books.pair_virial[0] += sums.virial * duration
             books.area_time[0] += area * duration
+            books.measured_time[0] += duration
     if step % EVERY != 0 or drive[BAROSTAT] == 0.0:
         return False
     by = stretch(bath, thermal, sums.virial, n, area, EVERY * rule.time_step, step, time)

@@ -186,7 +186,7 @@ def stretch(
     temperature = 2.0 * thermal / bath.freedom
     if drive[THERMOSTAT] != OFF:
         temperature = aim(drive, T_FROM, time)
-    if not temperature > 0.0:
+    if n == 0 or not temperature > 0.0:
         return 1.0
     push = thermal + 0.5 * virial + 2.0 * temperature - aim(drive, P_FROM, time) * area
     pace = duration / (n * drive[P_TIME])

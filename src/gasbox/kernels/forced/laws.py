@@ -29,11 +29,11 @@ def inverse_powers(square: Lanes, a: Lanes, b: Lanes, c: Lanes) -> tuple[Lanes, 
 
 
 @inlined_kernel
-def screened(square: Lanes, a: Lanes, b: Lanes) -> tuple[Lanes, Lanes]:
-    """a exp(-b r)/r: charges in a screening medium (Yukawa)."""
+def screened(square: Lanes, a: Lanes, b: Lanes, c: Lanes) -> tuple[Lanes, Lanes]:
+    """a exp(-b (r - c))/r: charges in a screening medium (Yukawa)."""
     inverse = 1.0 / square
     distance = root(square)
-    u = a * exponential((0.0 - b) * distance) * inverse * distance
+    u = a * exponential(b * (c - distance)) * inverse * distance
     return u, u * (inverse + b * inverse * distance)
 
 
@@ -49,7 +49,7 @@ def well(square: Lanes, a: Lanes, b: Lanes, c: Lanes, d: Lanes) -> tuple[Lanes, 
     edge = exponential(c * scaled - d)
     fermi = 1.0 / (1.0 + edge)
     u = b * (s36 - fermi)
-    slope = b * edge * fermi * fermi * c * scaled
+    slope = b * fermi * (1.0 - fermi) * c * scaled
     return u, (36.0 * b * s36 - slope) * inverse
 
 
@@ -59,7 +59,7 @@ def pair_law(law: int, square: Lanes, a: Lanes, b: Lanes, c: Lanes, d: Lanes) ->
     if law == INVERSE_POWERS:
         return inverse_powers(square, a, b, c)
     if law == SCREENED:
-        return screened(square, a, b)
+        return screened(square, a, b, c)
     return well(square, a, b, c, d)
 
 

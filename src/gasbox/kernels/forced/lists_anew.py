@@ -49,7 +49,7 @@ def sort_all(crowd: Crowd, terms: Terms, rule: Rule, gas: Gas, walls: Walls) -> 
     atoms, slots, lists, strips, room = crowd
     n, reach, box = room.stage[1], terms.reach + rule.skin, box_of(crowd, rule)
     wrap(atoms, box, 0, n)
-    if not divide(strips, box, reach):
+    if not divide(strips, box, n, reach):
         return 1
     sort_atoms(atoms, box, strips, room)
     if not list_walls(walls, atoms, gas, box, n, rule.skin):

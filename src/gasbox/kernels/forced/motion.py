@@ -10,7 +10,7 @@ import math
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas
 from gasbox.kernels.forced.tables import Atoms, Slots
-from gasbox.kernels.lanes import WIDTH, choose, load, spread, store
+from gasbox.kernels.lanes import WIDTH, choose, load, spread, store, total
 
 __all__ = ["drift", "furthest", "inside", "kick", "publish", "scale", "show"]
 
@@ -37,17 +37,19 @@ def furthest(atoms: Atoms, begin: int, end: int) -> float:
     """Square of the largest way from where the lists were made; infinite if a place is no number."""
     if begin >= end:
         return 0.0
-    most = spread(0.0)
+    most, wrong = spread(0.0), spread(0.0)
     for k in range(begin, end, WIDTH):
         dx, dy = load(atoms.x, k) - load(atoms.bx, k), load(atoms.y, k) - load(atoms.by, k)
         square = dx * dx + dy * dy
-        # In this order, what is no number counts as far.
         most = choose(square < most, most, square)
+        # Stays zero as long as all are numbers.
+        wrong = wrong + (square - square)
+    if total(wrong) != 0.0:
+        return math.inf
     store(atoms.u, begin, most)
     largest = 0.0
     for lane in range(WIDTH):
-        if not atoms.u[begin + lane] <= largest:
-            largest = atoms.u[begin + lane]
+        largest = max(largest, atoms.u[begin + lane])
     return largest
 
 

@@ -17,7 +17,7 @@ from gasbox.kernels.forced.tables import FAR, Atoms, Lists, Room, Slots, Strips
 from gasbox.kernels.lanes import WIDTH, bits, load, lowest, spread
 from gasbox.kernels.team import share
 
-__all__ = ["divide", "lay_out", "list_neighbours", "sort_atoms", "wrap"]
+__all__ = ["divide", "lay_out", "list_neighbours", "sort_atoms", "thickness", "wrap"]
 
 
 @bare_kernel
@@ -36,10 +36,20 @@ def _strip_of(y: float, height: float, count: int) -> int:
     return max(0, min(int(y * (count / height)), count - 1))
 
 
+@inlined_kernel
+def thickness(n: int, area: float, reach: float) -> float:
+    """How thick strips are to be for n discs: a part of the reach, so that a strip holds few more than eight at once.
+
+    It depends on nothing but the present, so that a run that goes on divides the box in the same way.
+    """
+    around = n * (2.0 * reach) ** 2 / area
+    return reach / max(1, int(around / 20.0 + 0.5))
+
+
 @bare_kernel
-def divide(strips: Strips, box: Box, reach: float) -> bool:
+def divide(strips: Strips, box: Box, n: int, reach: float) -> bool:
     """Choose the number of strips for the box as it is; a periodic one holds a whole number. False if room is short."""
-    count = max(1, int(box.height / strips.thickness))
+    count = max(1, int(box.height / thickness(n, box.width * box.height, reach)))
     thick = box.height / count
     more = math.ceil(reach / thick)
     if not box.periodic_y:

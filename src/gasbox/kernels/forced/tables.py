@@ -133,14 +133,12 @@ class Strips(NamedTuple):
 
     Attributes
     ----------
-    thickness : wanted [length]
     shape : (2,) int64, strips of the box; and of images below and above it, which is also how many away neighbours are
     first : (strips + 1,) int64, first atom of each
     slot : (strips with images, 2) int64, first slot of each, and one past its last disc
     place : (threads, strips) int64, room: where in each strip an atom's neighbours begin
     """
 
-    thickness: float
     shape: NDArray[np.int64]
     first: NDArray[np.int64]
     slot: NDArray[np.int64]
@@ -193,6 +191,7 @@ class Books(NamedTuple):
     kinetic_time: NDArray[np.float64]
     potential_time: NDArray[np.float64]
     area_time: NDArray[np.float64]
+    measured_time: NDArray[np.float64]
     thermostat_heat: NDArray[np.float64]
     heater_heat: NDArray[np.float64]
     barostat_work: NDArray[np.float64]
@@ -206,6 +205,7 @@ def books(tallies: Tallies) -> Books:
         tallies.kinetic_time,
         tallies.potential_time,
         tallies.area_time,
+        tallies.measured_time,
         tallies.thermostat_heat,
         tallies.heater_heat,
         tallies.barostat_work,
@@ -246,7 +246,6 @@ def strips(height: float, reach: float, thickness: float, threads: int) -> Strip
     most = int(1.5 * height / thickness) + 4
     more = int(2.0 * reach / min(thickness, height)) + 2
     return Strips(
-        thickness,
         np.zeros(2, np.int64),
         np.zeros(most + 1, np.int64),
         np.zeros((most + 2 * more, 2), np.int64),

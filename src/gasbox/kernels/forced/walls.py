@@ -20,7 +20,6 @@ from gasbox.kernels.arguments import Box, Gas, Ledger, book_hall
 from gasbox.kernels.forced.tables import Atoms
 from gasbox.kernels.hall.rebound import thermal_speeds
 from gasbox.kernels.hall.tables import (
-    CORNER,
     FACES,
     HIGH,
     KIND,
@@ -42,8 +41,6 @@ from gasbox.kernels.hall.tables import (
 __all__ = ["Walls", "list_walls", "push_back", "turn_round", "walls"]
 
 _SMOOTH = 2.0 ** (1.0 / 6.0)
-_CLOSE = 1e-6
-"""Of the box: a corner so near to the end of a side is that end."""
 
 
 class Walls(NamedTuple):
@@ -207,43 +204,45 @@ def _mirror(
     book_hall(book, gas.species[row], row, number, time, jx, jy, result)
 
 
-@bare_kernel
-def _is_beside(walls: Walls, entry: int, atoms: Atoms, box: Box) -> bool:
-    """Whether an atom near a corner stands before a side that ends there: then that side alone pushes."""
-    hall = walls.hall
-    k, corner = walls.near[entry, 0], walls.near[entry, 1]
-    x = atoms.x[k] - walls.near[entry, 2] * box.width
-    y = atoms.y[k] - walls.near[entry, 3] * box.height
-    for e in range(hall.kind.shape[0]):
-        if hall.kind[e, KIND] != SIDE:
-            continue
-        px, py = hall.shape[corner, PX] - hall.shape[e, PX], hall.shape[corner, PY] - hall.shape[e, PY]
-        tx, ty = hall.shape[e, TX], hall.shape[e, TY]
-        low, high = hall.shape[e, LOW], hall.shape[e, HIGH]
-        along, close = px * tx + py * ty, _CLOSE * box.width
-        ends_here = min(abs(along - low), abs(along - high)) <= close and abs(px * ty - py * tx) <= close
-        if ends_here and low <= (x - hall.shape[e, PX]) * tx + (y - hall.shape[e, PY]) * ty <= high:
-            return True
-    return False
+@inlined_kernel
+def _push_from(
+    walls: Walls, entry: int, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time_step: float
+) -> None:
+    """Add the force of one element on one atom, if it reaches so far."""
+    k, e, nx, ny, away = _approach(walls, entry, atoms, box)
+    row = atoms.row[k]
+    r = gas.radius[row]
+    behind = away + r
+    if behind >= _SMOOTH * 2.0 * r:
+        return
+    s2 = (2.0 * r / behind) ** 2
+    s6 = s2 * s2 * s2
+    force = walls.strength * 24.0 * s6 * (2.0 * s6 - 1.0) / behind
+    atoms.fx[k] += force * nx
+    atoms.fy[k] += force * ny
+    atoms.u[k] += walls.strength * (4.0 * s6 * (s6 - 1.0) + 1.0)
+    book.wall_impulse[walls.hall.kind[e, WALL], gas.species[row]] += force * time_step
 
 
 @bare_kernel
 def push_back(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time_step: float) -> None:
-    """Add the forces of smooth walls, and their energy; the impulse of a step is booked on the wall."""
-    hall = walls.hall
-    for entry in range(walls.size[0]):
-        k, e, nx, ny, away = _approach(walls, entry, atoms, box)
-        row = atoms.row[k]
-        r = gas.radius[row]
-        if hall.kind[e, KIND] == CORNER and _is_beside(walls, entry, atoms, box):
-            continue
-        behind = away + r
-        if behind >= _SMOOTH * 2.0 * r:
-            continue
-        s2 = (2.0 * r / behind) ** 2
-        s6 = s2 * s2 * s2
-        force = walls.strength * 24.0 * s6 * (2.0 * s6 - 1.0) / behind
-        atoms.fx[k] += force * nx
-        atoms.fy[k] += force * ny
-        atoms.u[k] += walls.strength * (4.0 * s6 * (s6 - 1.0) + 1.0)
-        book.wall_impulse[hall.kind[e, WALL], gas.species[row]] += force * time_step
+    """Add the forces of smooth walls, and their energy; the impulse of a step is booked on the wall.
+
+    Sides without end, those of a rectangle, push each by itself. Of all else only the nearest does: sides that end at a
+    corner would let go abruptly there, and the distance from the nearest has no jump.
+    """
+    hall, size = walls.hall, walls.size[0]
+    best, least = -1, math.inf
+    for entry in range(size):
+        k, e = walls.near[entry, 0], walls.near[entry, 1]
+        if hall.kind[e, KIND] == SIDE and math.isinf(hall.shape[e, HIGH]):
+            _push_from(walls, entry, atoms, gas, box, book, time_step)
+        else:
+            _, _, _, _, away = _approach(walls, entry, atoms, box)
+            if away < least:
+                best, least = entry, away
+        # The entries of one atom follow each other.
+        if entry + 1 == size or walls.near[entry + 1, 0] != k:
+            if best >= 0:
+                _push_from(walls, best, atoms, gas, box, book, time_step)
+            best, least = -1, math.inf
