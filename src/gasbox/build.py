@@ -119,7 +119,7 @@ def _memory(scenario: Scenario) -> Memory | None:
 def _dynamics(
     scenario: Scenario, state: State, geometry: Geometry, memory: Memory | None, threads: int | None
 ) -> Dynamics:
-    tallies = _tallies(scenario.snapshot, len(scenario.species), len(geometry.wall_names))
+    tallies = _tallies(scenario.snapshot, len(scenario.kinds), len(geometry.wall_names))
     contacts = Contacts.empty(0)
     match scenario.dynamics:
         case Stepped(time_step=time_step):
@@ -139,7 +139,7 @@ def _calm(state: State, geometry: Geometry, scenario: Scenario) -> list[str]:
     settings = _forced_settings(scenario, state)
     strength = max(law.epsilon for law in pair_laws(scenario).values())
     if strength == 0.0 and scenario.forces is not None and scenario.forces.charges is not None:
-        largest = max(abs(entry.charge or 0.0) for entry in scenario.species)
+        largest = max(abs(entry.charge or 0.0) for entry in scenario.site_kinds)
         strength = scenario.forces.charges.strength * largest**2 / settings.sigma
     moved = rules.relax(state, geometry, settings, strength, scenario.seed)
     if moved is not None:
@@ -155,17 +155,17 @@ def _forced_settings(scenario: Scenario, state: State) -> rules.ForcedSettings:
     laws = pair_laws(scenario)
     thermostat = scenario.thermostat
     if thermostat is not None and thermostat.temperature is None:
-        warm = starting_temperature(scenario.species)
+        warm = starting_temperature(scenario.kinds)
         said = scenario.snapshot.memory.get("drive_said") if scenario.snapshot is not None else None
         if warm is None and said is not None:
             warm = float(said[T_TO])
         if warm is None:
             warm = 0.5 * float(np.mean(state.mass @ state.velocity**2)) / max(state.count, 1)
         thermostat = thermostat.model_copy(update={"temperature": warm})
-    charge = [entry.charge or 0.0 for entry in scenario.species]
+    charge = [entry.charge or 0.0 for entry in scenario.site_kinds]
     return rules.ForcedSettings(
         scenario.dynamics.time_step,
-        rules.pair_terms(laws, len(scenario.species), forces.charges, charge),
+        rules.pair_terms(laws, len(scenario.site_kinds), forces.charges, charge),
         min(law.sigma for law in laws.values()),
         max(law.epsilon for law in laws.values()) if forces.walls == "repulsive" else 0.0,
         thermostat,

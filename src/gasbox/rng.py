@@ -27,6 +27,12 @@ class Stream(IntEnum):
     """Factors of stochastic velocity rescaling."""
     BAROSTAT = 6
     """Changes of the area by stochastic cell rescaling."""
+    ROTATION = 7
+    """The angular velocities drawn at the start."""
+    ORIENTATIONS = 8
+    """How molecules are turned at the start."""
+    LANGEVIN_SPIN = 9
+    """Kicks of the Langevin thermostat on rotation."""
 
 
 def generator(seed: int, stream: Stream, index: int = 0) -> np.random.Generator:

@@ -23,5 +23,8 @@ UNIT: Final[dict[str, str]] = {
     "impulse": "mass·length/time",
     "rate": "1/time",
     "area": "length²",
+    "angle": "rad",
+    "angular_velocity": "rad/time",
+    "inertia": "mass·length²",
 }
 """Unit of each quantity. Temperature is an energy (k_B = 1); pressure is force per length."""

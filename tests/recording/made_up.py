@@ -46,7 +46,7 @@ def frame(number: int, count: int, seed: int = 1) -> Frame:
         generator.normal(size=(4, 2)),
         generator.integers(0, 2**62, (4, 2, 2)),
         np.abs(generator.normal(size=(4, 2))),
-        *(generator.normal(size=1) for _ in range(8)),
+        *(generator.normal(size=1) for _ in range(10)),
     )
     memory = {
         "epoch": int(generator.integers(-(2**62), 2**62)),

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from gasbox.initial.placing import place
-from gasbox.initial.velocities import draw_velocities
+from gasbox.initial.molecules import place_all, sites_of
+from gasbox.initial.velocities import draw_rotation, draw_velocities
 from gasbox.scenario import Scenario
 from gasbox.state import State
 
@@ -22,33 +22,53 @@ def populate(scenario: Scenario) -> State:
     ScenarioError
         So many discs cannot be placed.
     """
-    names = [entry.name for entry in scenario.species]
+    names = [kind.name for kind in scenario.kinds]
     species, position, velocity = np.zeros(0, np.int32), np.zeros((0, 2)), np.zeros((0, 2))
+    angle, turning = np.zeros(0), np.zeros(0)
     if scenario.particles is not None:
         species, position, velocity = scenario.particles.arrays(names)
+        angle, turning = scenario.particles.rotation()
     if scenario.snapshot is not None:
-        state = _state(scenario, scenario.snapshot.time, species, position, velocity)
+        state = _state(scenario, scenario.snapshot.time, species, position, velocity, angle, turning)
         if scenario.snapshot.ids is not None:
             state.id = np.array(scenario.snapshot.ids, np.int64)
         return state
     position = scenario.geometry().wrap(position)
-    counts = [entry.count for entry in scenario.species]
+    counts = [kind.count for kind in scenario.kinds]
     counted = np.repeat(np.arange(len(counts), dtype=np.int32), counts)
-    placed = place(scenario, position, species, counted)
+    placed, turned = place_all(scenario, position, species, angle, counted)
     drawn = draw_velocities(scenario, counted)
+    spun = draw_rotation(scenario, counted)
     return _state(
         scenario,
         0.0,
         np.concatenate([species, counted]),
         np.concatenate([position, placed]),
         np.concatenate([velocity, drawn]),
+        np.concatenate([angle, turned]),
+        np.concatenate([turning, spun]),
     )
 
 
 def _state(
-    scenario: Scenario, time: float, species: np.ndarray, position: np.ndarray, velocity: np.ndarray
+    scenario: Scenario,
+    time: float,
+    species: np.ndarray,
+    position: np.ndarray,
+    velocity: np.ndarray,
+    angle: np.ndarray,
+    turning: np.ndarray,
 ) -> State:
-    mass = np.array([entry.mass for entry in scenario.species])
-    radius = np.array([entry.radius for entry in scenario.species])
+    mass = np.array([kind.mass for kind in scenario.kinds])
+    radius = np.array([kind.radius for kind in scenario.kinds])
     ids = np.arange(species.shape[0], dtype=np.int64)
-    return State(time, ids, species.astype(np.int32), mass[species], radius[species], position, velocity)
+    species = species.astype(np.int32)
+    state = State(time, ids, species, mass[species], radius[species], position, velocity)
+    if scenario.molecules:
+        inertia = np.array([kind.inertia for kind in scenario.kinds])
+        state.inertia = inertia[species]
+        state.angle = np.where(state.inertia > 0.0, angle, 0.0)
+        state.angular_velocity = np.where(state.inertia > 0.0, turning, 0.0)
+        state.sites = sites_of(scenario, species)
+        state.turn_sites()
+    return state

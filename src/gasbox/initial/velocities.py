@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.rng import Stream, generator
-from gasbox.scenario import Scenario, Species
+from gasbox.scenario import Kind, Scenario
 
-__all__ = ["draw_velocities"]
+__all__ = ["draw_rotation", "draw_velocities"]
 
 _TURNS: Final = 50
 _GENTLE: Final = 4.0
@@ -49,7 +49,7 @@ def draw_velocities(scenario: Scenario, species: NDArray[np.int32]) -> NDArray[n
     """
     velocity = np.zeros((species.shape[0], 2))
     drawn: dict[int, NDArray[np.int64]] = {}
-    for number, entry in enumerate(scenario.species):
+    for number, entry in enumerate(scenario.kinds):
         members = np.flatnonzero(species == number)
         if not members.size:
             continue
@@ -61,7 +61,30 @@ def draw_velocities(scenario: Scenario, species: NDArray[np.int32]) -> NDArray[n
     return velocity
 
 
-def _of_species(species: Species, count: int, random: np.random.Generator) -> NDArray[np.float64]:
+def draw_rotation(scenario: Scenario, species: NDArray[np.int32]) -> NDArray[np.float64]:
+    """Angular velocities (n,) [rad/time] of counted particles, given the kind (n,) of each.
+
+    Normal with variance T/I, where T is the rotational temperature, or the temperature; then scaled so that the mean
+    energy of each kind of more than one molecule is T/2. With an angular speed, this in either direction.
+    """
+    turning = np.zeros(species.shape[0])
+    for number, kind in enumerate(scenario.kinds):
+        members = np.flatnonzero(species == number)
+        if not members.size or kind.inertia == 0.0:
+            continue
+        random = generator(scenario.seed, Stream.ROTATION, number)
+        if kind.angular_speed is not None:
+            turning[members] = kind.angular_speed * random.choice([-1.0, 1.0], members.size)
+            continue
+        warm = kind.temperature if kind.rotational_temperature is None else kind.rotational_temperature
+        drawn = random.standard_normal(members.size)
+        if members.size > 1:
+            drawn /= math.sqrt(float(np.mean(drawn**2)))
+        turning[members] = math.sqrt((warm or 0.0) / kind.inertia) * drawn
+    return turning
+
+
+def _of_species(species: Kind, count: int, random: np.random.Generator) -> NDArray[np.float64]:
     if species.velocities is not None:
         return np.array(species.velocities, np.float64).reshape(-1, 2)
     if species.speed is not None:
@@ -78,7 +101,7 @@ def _correct(scenario: Scenario, velocity: NDArray[np.float64], drawn: dict[int,
     if sum(members.size for members in drawn.values()) < 2:
         return
     periodic = scenario.geometry().periodic
-    masses = [scenario.species[number].mass for number in drawn]
+    masses = [scenario.kinds[number].mass for number in drawn]
     total = sum(mass * members.size for mass, members in zip(masses, drawn.values(), strict=True))
     targets = [_energy(scenario, number, members.size, total) for number, members in drawn.items()]
     groups = [velocity[members] for members in drawn.values()]
@@ -135,6 +158,6 @@ def _at_rest(groups: list[NDArray[np.float64]], masses: list[float], periodic: N
 
 def _energy(scenario: Scenario, number: int, count: int, total: float) -> float:
     """Kinetic energy [energy] that `count` discs of a species are to have in a drawn gas of mass `total`."""
-    species = scenario.species[number]
+    species = scenario.kinds[number]
     directions = int(scenario.geometry().periodic.sum())
     return count * float(species.temperature or 0.0) * (1 - directions / 2 * species.mass / total)

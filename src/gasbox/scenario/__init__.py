@@ -20,6 +20,8 @@ from gasbox.scenario.dynamics import EventDriven, Forced, Stepped
 from gasbox.scenario.forces import Charges, Forces, PairForces
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.json_schema import schema
+from gasbox.scenario.kinds import Kind
+from gasbox.scenario.molecules import Bend, Bond, Molecule
 from gasbox.scenario.obstacles import BlockObstacle, Obstacle, PostObstacle, SegmentObstacle
 from gasbox.scenario.pair_laws import PairLaw, pair_laws
 from gasbox.scenario.particles import Particles
@@ -37,7 +39,9 @@ __all__ = [
     "MIXTURE_LIMIT",
     "ONE_SIZE_LIMIT",
     "Barostat",
+    "Bend",
     "BlockObstacle",
+    "Bond",
     "Charges",
     "CircleContainer",
     "Container",
@@ -47,7 +51,9 @@ __all__ = [
     "Forces",
     "Heating",
     "Histograms",
+    "Kind",
     "Langevin",
+    "Molecule",
     "Obstacle",
     "PairForces",
     "PairLaw",

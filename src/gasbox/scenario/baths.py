@@ -8,6 +8,7 @@ from typing import Annotated, Any, Final, Literal
 from pydantic import ConfigDict, Discriminator, Field, Tag
 from pydantic.config import JsonDict
 
+from gasbox.scenario.kinds import Kind
 from gasbox.scenario.species import Species
 from gasbox.scenario.values import Finite, NotNegative, Positive, Section
 
@@ -105,7 +106,7 @@ NewTemperature = Annotated[Annotated[ThermostatAim, Tag("aim")] | _Off, Discrimi
 NewPressure = Annotated[Annotated[BarostatAim, Tag("aim")] | _Off, Discriminator(_tag)]
 
 
-def starting_temperature(species: Sequence[Species]) -> float | None:
+def starting_temperature(species: Sequence[Species | Kind]) -> float | None:
     """Mean temperature [energy] of all counted discs that start with one; None if none do."""
     warm = [(entry.temperature, entry.count) for entry in species if entry.temperature is not None]
     total = sum(count for _, count in warm)

@@ -16,10 +16,12 @@ from gasbox.scenario.values import GREATEST, LARGEST_COUNT
 
 __all__ = ["read_particles"]
 
-_FIELDS: Final = ("species", "position", "velocity")
+_FIELDS: Final = ("species", "position", "velocity", "angle", "angular_velocity")
+_ROTATION: Final = _FIELDS[3:]
 _SHOWN: Final = 10
 """Of each kind of wrong row, so many are named."""
 _VECTOR: Final = f"must be two finite numbers [x, y], each at most {GREATEST:g}"
+_NUMBER: Final = f"must be a finite number, at most {GREATEST:g}"
 _NAME: Final = "must be the name of a species"
 
 Path = Callable[[int], str]
@@ -45,6 +47,9 @@ def _from_objects(raw: Sequence[Any]) -> tuple[Particles | None, list[Problem]]:
         "position": [entry["position"] for entry in raw],
         "velocity": [entry.get("velocity", (0.0, 0.0)) for entry in raw],
     }
+    for key in _ROTATION:
+        if any(key in entry for entry in raw):
+            columns[key] = [entry.get(key, 0.0) for entry in raw]
     return _assemble(columns, lambda field: lambda row: f"particles[{row}].{field}", columns_given=False)
 
 
@@ -103,9 +108,17 @@ def _assemble(
         if vectors[field] is None:
             problems += _vector_problems(columns[field], paths(field))
     position, velocity = vectors["position"], vectors["velocity"]
+    rotation: dict[str, NDArray[np.float64]] = {}
+    for field in _ROTATION:
+        if field in columns:
+            numbers = _numbers(columns[field])
+            if numbers is None:
+                problems += _number_problems(columns[field], paths(field))
+            else:
+                rotation[field] = numbers
     if problems or position is None or velocity is None:
         return None, problems
-    return Particles.of(list(species), position, velocity, columns_given), []
+    return Particles.of(list(species), position, velocity, columns_given, **rotation), []
 
 
 def _name_problems(names: Sequence[Any], path: Path) -> list[Problem]:
@@ -113,6 +126,25 @@ def _name_problems(names: Sequence[Any], path: Path) -> list[Problem]:
         return []
     wrong = ((row, name) for row, name in enumerate(names) if not isinstance(name, str))
     return [Problem(path(row), short(name), _NAME) for row, name in islice(wrong, _SHOWN)]
+
+
+def _numbers(rows: Any) -> NDArray[np.float64] | None:
+    """(n,) float64 if all rows are finite numbers; None otherwise."""
+    if not isinstance(rows, np.ndarray) and not set(map(type, rows)) <= {int, float}:
+        return None
+    try:
+        array = np.asarray(rows)
+        if array.ndim != 1 or (array.size and array.dtype.kind not in "iuf"):
+            return None
+        array = array.astype(np.float64)
+    except (OverflowError, ValueError, TypeError):
+        return None
+    return array if (np.abs(array) <= GREATEST).all() else None
+
+
+def _number_problems(rows: Any, path: Path) -> list[Problem]:
+    wrong = ((row, entry) for row, entry in enumerate(rows) if _numbers([entry]) is None)
+    return [Problem(path(row), short(entry), _NUMBER) for row, entry in islice(wrong, _SHOWN)]
 
 
 def _vectors(rows: Any) -> NDArray[np.float64] | None:

@@ -59,12 +59,13 @@ def _homeless(parts: Parts, kind: str) -> Iterator[Problem]:
 def _pairs(parts: Parts, forces: Forces) -> Iterator[Problem]:
     """Names that do not exist, and pairs that are there twice."""
     first: dict[frozenset[str], int] = {}
+    names = [entry.name for entry in parts.species if entry is not None]
     for number, pair in enumerate(forces.pairs):
         path = f"forces.pairs[{number}].between"
         for name in dict.fromkeys(pair.between):
-            if parts.names is not None and name not in parts.names:
-                known = ", ".join(map(short, dict.fromkeys(parts.names)))
-                yield Problem(path, short(name), f"must be one of {known}{near(name, parts.names)}")
+            if all(parts.species) and name not in names:
+                known = ", ".join(map(short, dict.fromkeys(names)))
+                yield Problem(path, short(name), f"must be one of {known}{near(name, names)}")
         both = frozenset(pair.between)
         if both in first:
             allowed = f"each pair only once; forces.pairs[{first[both]}] has it already"
@@ -130,7 +131,7 @@ def _thermostat(parts: Parts) -> Iterator[Problem]:
     """A thermostat that is to keep the temperature of the start, where nothing moves."""
     if parts.thermostat is None or parts.thermostat.temperature is not None or parts.names is None:
         return
-    counted = [entry for entry in parts.species if entry is not None and entry.count]
+    counted = [entry for entry in parts.kinds() if entry.count]
     warm = any(entry.temperature is not None or entry.speed or entry.velocities for entry in counted)
     if not warm and parts.particles is None:
         allowed = "is required: nothing starts with a temperature that it could keep"

@@ -9,6 +9,7 @@ from gasbox.scenario.container import SHAPES
 from gasbox.scenario.dynamics import KINDS
 from gasbox.scenario.forces import Charges, Forces, PairForces
 from gasbox.scenario.histograms import Histograms
+from gasbox.scenario.molecules import Atom, Bend, Bond, Molecule
 from gasbox.scenario.motions import ConstantMotion, PathMotion, PistonMotion, SinusoidMotion
 from gasbox.scenario.obstacles import STANDING
 from gasbox.scenario.problems import KnownKeys
@@ -44,6 +45,11 @@ KNOWN_KEYS: Final[KnownKeys] = {
     ("schedule", "heating"): keys_of(Heating),
     ("species",): keys_of(Species),
     ("species", "region"): keys_of(Region),
+    ("molecules",): keys_of(Molecule),
+    ("molecules", "atoms"): keys_of(Atom),
+    ("molecules", "bonds"): keys_of(Bond),
+    ("molecules", "angles"): keys_of(Bend),
+    ("molecules", "region"): keys_of(Region),
     ("dynamics",): keys_of(*KINDS.values()),
     ("forces",): keys_of(Forces),
     ("forces", "pairs"): keys_of(PairForces),

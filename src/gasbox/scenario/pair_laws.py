@@ -10,5 +10,5 @@ __all__ = ["PairLaw", "pair_laws"]
 
 
 def pair_laws(scenario: Scenario) -> dict[tuple[int, int], PairLaw]:
-    """The law of each pair (a, b) of species, a <= b."""
-    return laws_of(scenario.species, scenario.forces or Forces())
+    """The law of each pair (a, b) of kinds of disc (`Scenario.site_kinds`), a <= b."""
+    return laws_of(scenario.site_kinds, scenario.forces or Forces())

@@ -30,6 +30,7 @@ class Particles:
     index : (n,) int32, which of `names` each particle is
     position : (n, 2) float64 [length]
     velocity : (n, 2) float64 [length/time]
+    angle, angular_velocity : (n,) float64 [rad], [rad/time], of molecules; None where nobody says any
     columns : whether they were given as columns, for the paths in messages
     """
 
@@ -38,6 +39,8 @@ class Particles:
     position: NDArray[np.float64]
     velocity: NDArray[np.float64]
     columns: bool = True
+    angle: NDArray[np.float64] | None = None
+    angular_velocity: NDArray[np.float64] | None = None
 
     @classmethod
     def of(
@@ -46,15 +49,30 @@ class Particles:
         position: NDArray[np.float64],
         velocity: NDArray[np.float64],
         columns: bool = True,
+        angle: NDArray[np.float64] | None = None,
+        angular_velocity: NDArray[np.float64] | None = None,
     ) -> Particles:
-        """Particles from names of species and arrays (n, 2): position [length], velocity [length/time]."""
+        """Particles from names of species and arrays (n, 2): position [length], velocity [length/time].
+
+        Of molecules also angle (n,) [rad] and angular velocity (n,) [rad/time]."""
         table = {name: number for number, name in enumerate(dict.fromkeys(species))}
         index = np.fromiter(map(table.__getitem__, species), np.int32, len(species))
-        return cls(tuple(table), index, np.array(position), np.array(velocity), columns)
+        turned = None if angle is None else np.array(angle)
+        turning = None if angular_velocity is None else np.array(angular_velocity)
+        return cls(tuple(table), index, np.array(position), np.array(velocity), columns, turned, turning)
 
     def __post_init__(self) -> None:
-        for array in (self.index, self.position, self.velocity):
-            array.setflags(write=False)
+        for array in (self.index, self.position, self.velocity, self.angle, self.angular_velocity):
+            if array is not None:
+                array.setflags(write=False)
+
+    def rotation(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Angle (n,) [rad] and angular velocity (n,) [rad/time], zero where nothing is said."""
+        zero = np.zeros(self.count)
+        return (
+            zero if self.angle is None else self.angle.copy(),
+            zero.copy() if self.angular_velocity is None else self.angular_velocity.copy(),
+        )
 
     @property
     def count(self) -> int:
@@ -84,6 +102,9 @@ class Particles:
         """As JSON values: few as objects, many as columns."""
         species = [self.names[number] for number in self.index.tolist()]
         columns = {"species": species, "position": self.position.tolist(), "velocity": self.velocity.tolist()}
+        for name in ("angle", "angular_velocity"):
+            if getattr(self, name) is not None:
+                columns[name] = getattr(self, name).tolist()
         if self.count > _FEW:
             return columns
         return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
@@ -93,6 +114,7 @@ class Particles:
             isinstance(other, Particles)
             and np.array_equal(self.position, other.position)
             and np.array_equal(self.velocity, other.velocity)
+            and all(map(np.array_equal, self.rotation(), other.rotation()))
             and [self.names[i] for i in self.index] == [other.names[i] for i in other.index]
         )
 
@@ -113,6 +135,8 @@ class Particles:
             "species": {"type": "string", "description": "Name of a species."},
             "position": {**_VECTOR, "description": "Centre [x, y], inside the container [length]."},
             "velocity": {**_VECTOR, "description": "Velocity [vx, vy]; without it, at rest [length/time]."},
+            "angle": {"type": "number", "description": "By which a molecule is turned [rad]."},
+            "angular_velocity": {"type": "number", "description": "Of a molecule [rad/time]."},
         }
         columns = {name: {"type": "array", "items": entry} for name, entry in properties.items()}
         shape = {"type": "object", "required": ["species", "position"], "additionalProperties": False}

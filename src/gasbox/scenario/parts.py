@@ -10,6 +10,8 @@ from gasbox.scenario.container import Container
 from gasbox.scenario.dynamics import EventDriven, Forced, Stepped
 from gasbox.scenario.forces import Forces
 from gasbox.scenario.histograms import Histograms
+from gasbox.scenario.kinds import Kind, kinds_of
+from gasbox.scenario.molecules import Molecule
 from gasbox.scenario.obstacles import Obstacle
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.schedule import ScheduledChange
@@ -40,12 +42,20 @@ class Parts:
     thermostat: Thermostat | None = None
     barostat: Barostat | None = None
     heating: Heating | None = None
+    molecules: tuple[Molecule | None, ...] = ()
 
     @property
     def names(self) -> tuple[str, ...] | None:
-        """Names of the species; None if any is invalid."""
-        names = tuple(entry.name for entry in self.species if entry is not None)
-        return names if len(names) == len(self.species) else None
+        """Names of the species and of the molecules; None if any is invalid."""
+        every = (*self.species, *self.molecules)
+        names = tuple(entry.name for entry in every if entry is not None)
+        return names if len(names) == len(every) else None
+
+    def kinds(self) -> tuple[Kind, ...]:
+        """All kinds of particle, which must be valid."""
+        return kinds_of(
+            [entry for entry in self.species if entry], [entry for entry in self.molecules if entry]
+        )
 
     @property
     def are_valid(self) -> bool:
@@ -55,5 +65,6 @@ class Parts:
             *self.obstacles,
             *self.schedule,
             *self.species,
+            *self.molecules,
         )
         return self.container is not None and self.gravity is not None and None not in rest

@@ -29,7 +29,7 @@ _LATER: Final = frozenset(
     {
         *("wall_work", "wall_heat", "wall_passed", "wall_carried", "rest_energy"),
         *("kinetic_time", "potential_time", "area_time", "measured_time"),
-        *("thermostat_heat", "heater_heat", "barostat_work"),
+        *("thermostat_heat", "heater_heat", "barostat_work", "rotational_time", "vibrational_time"),
     }
 )
 """Sums that older snapshots do not have yet; they start from zero."""

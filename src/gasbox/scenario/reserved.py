@@ -9,7 +9,7 @@ from gasbox.scenario.problems import short
 
 __all__ = ["without_reserved"]
 
-KEYS: Final = frozenset({"molecules", "world"})
+KEYS: Final = frozenset({"world"})
 
 
 def without_reserved(data: dict[str, Any]) -> tuple[dict[str, Any], list[Problem]]:

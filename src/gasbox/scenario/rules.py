@@ -14,6 +14,7 @@ from gasbox.scenario.crowding import crowding_problems, glide_problems
 from gasbox.scenario.dynamics import Forced, Stepped
 from gasbox.scenario.falling import falling_problems
 from gasbox.scenario.forced_rules import forced_problems
+from gasbox.scenario.molecule_rules import molecule_problems
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.placement import Placement, placement_problems
 from gasbox.scenario.problems import near, short
@@ -44,6 +45,7 @@ def broken_rules(parts: Parts) -> list[Problem]:
         _snapshot,
         falling_problems,
         forced_problems,
+        molecule_problems,
     )
     problems = [problem for rule in rules for problem in rule(parts)]
     shapes = [*container_problems(parts.container), *obstacle_problems(parts)]
@@ -102,16 +104,16 @@ def _velocities(parts: Parts) -> Iterator[Problem]:
 
 
 def _total(parts: Parts) -> Iterator[Problem]:
-    total = sum(species.count for species in parts.species if species is not None)
+    total = sum(entry.count for entry in (*parts.species, *parts.molecules) if entry is not None)
     total += parts.particles.count if parts.particles else 0
     if total > LARGEST_COUNT:
         yield Problem("species", f"{total} particles in all", f"at most {LARGEST_COUNT} particles")
 
 
 def _listed_names(parts: Parts) -> Iterator[Problem]:
-    if parts.particles is None or not all(parts.species):
+    known = parts.names
+    if parts.particles is None or known is None:
         return
-    known = [species.name for species in parts.species if species is not None]
     uses = Counter(parts.particles.index.tolist())
     for number, name in enumerate(parts.particles.names):
         if name not in known:
@@ -164,4 +166,6 @@ def _axis(parts: Parts) -> Iterator[Problem]:
 def _snapshot(parts: Parts) -> Iterator[Problem]:
     if parts.snapshot is not None and parts.container is not None:
         walls = side_count(parts.container.geometry()) + len(parts.obstacles)
-        yield from snapshot_problems(parts.snapshot, parts.particles, len(parts.species), walls)
+        yield from snapshot_problems(
+            parts.snapshot, parts.particles, len(parts.species) + len(parts.molecules), walls
+        )

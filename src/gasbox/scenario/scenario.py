@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Mapping
+from functools import cached_property
 from typing import Annotated, Any, Final, Literal
 
 from pydantic import Field, ModelWrapValidatorHandler, Strict, ValidationError, model_validator
@@ -18,8 +20,10 @@ from gasbox.scenario.container import Container
 from gasbox.scenario.dynamics import Dynamics, EventDriven
 from gasbox.scenario.forces import Forces
 from gasbox.scenario.histograms import Histograms
+from gasbox.scenario.kinds import Kind, kinds_of, site_kinds_of
 from gasbox.scenario.known_keys import KNOWN_KEYS, keys_of
 from gasbox.scenario.layout import layout
+from gasbox.scenario.molecules import Molecule
 from gasbox.scenario.obstacles import Obstacle
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.parts import Parts
@@ -68,8 +72,10 @@ class Scenario(Section):
     """What stands in the container."""
     gravity: Vector = (0.0, 0.0)
     """Acceleration of all discs [length/time²]."""
-    species: Annotated[tuple[Species, ...], Field(min_length=1, max_length=LARGEST_SPECIES)]
-    """The kinds of particle."""
+    species: Annotated[tuple[Species, ...], Field(max_length=LARGEST_SPECIES)] = ()
+    """The kinds of disc."""
+    molecules: Annotated[tuple[Molecule, ...], Field(max_length=LARGEST_SPECIES)] = ()
+    """The kinds of molecule, made of discs."""
     particles: Particles | None = None
     """Particles listed one by one, in addition to those counted in `species`."""
     dynamics: Dynamics = EventDriven()
@@ -116,8 +122,25 @@ class Scenario(Section):
 
     def geometry(self) -> Geometry:
         """What the gas moves in, at its start: a plain rectangle, or an enclosure where there is more to it."""
-        names = tuple(entry.name for entry in self.species)
+        names = (*(entry.name for entry in self.species), *(entry.name for entry in self.molecules))
         return geometry_of(self.container, self.walls, self.obstacles, self.gravity, names)
+
+    @cached_property
+    def kinds(self) -> tuple[Kind, ...]:
+        """The kinds of particle: the species in their order, then the molecules."""
+        return kinds_of(self.species, self.molecules)
+
+    @cached_property
+    def site_kinds(self) -> tuple[Species, ...]:
+        """The kinds of disc: the species in their order, then those atoms of molecules that are of none."""
+        return site_kinds_of(self.species, self.molecules)
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Scenario:
+        """A copy, with some fields replaced; they are not validated again."""
+        copied = super().model_copy(update=update, deep=deep)
+        for name in ("kinds", "site_kinds"):
+            copied.__dict__.pop(name, None)
+        return copied
 
     def to_dict(self) -> dict[str, Any]:
         """The scenario as JSON values; `parse` reads it back to an equal one."""
@@ -125,7 +148,14 @@ class Scenario(Section):
         values = self.model_dump(mode="json", by_alias=True, exclude_none=True, exclude=large)
         # These may hold millions of numbers: they go straight from arrays to lists.
         values |= {name: part.to_json() for name in large if (part := getattr(self, name)) is not None}
-        unsaid = {"walls": {}, "obstacles": [], "gravity": [0.0, 0.0], "schedule": []}
+        unsaid = {
+            "walls": {},
+            "obstacles": [],
+            "gravity": [0.0, 0.0],
+            "schedule": [],
+            "species": [],
+            "molecules": [],
+        }
         return {
             key: values[key] for key in keys_of(Scenario) if key in values and values[key] != unsaid.get(key)
         }
@@ -142,15 +172,18 @@ class Scenario(Section):
 
 
 def _with_colors(data: dict[str, Any]) -> dict[str, Any]:
-    """Each species without a colour gets the one of its place in the palette."""
-    species = data.get("species")
-    if not isinstance(species, list | tuple):
-        return data
-    colored = [
-        {"color": PALETTE[number % len(PALETTE)], **entry} if isinstance(entry, dict) else entry
-        for number, entry in enumerate(species)
-    ]
-    return {**data, "species": colored}
+    """Each species and molecule without a colour gets the one of its place in the palette."""
+    first = 0
+    for key in ("species", "molecules"):
+        entries = data.get(key)
+        if not isinstance(entries, list | tuple):
+            continue
+        colored = [
+            {"color": PALETTE[number % len(PALETTE)], **entry} if isinstance(entry, dict) else entry
+            for number, entry in enumerate(entries, first)
+        ]
+        data, first = {**data, key: colored}, len(entries)
+    return data
 
 
 def _validate(
@@ -190,6 +223,7 @@ def _parts(scenario: Scenario) -> Parts:
         scenario.thermostat,
         scenario.barostat,
         scenario.heating,
+        scenario.molecules,
     )
 
 

@@ -12,6 +12,7 @@ from gasbox.scenario.container import SHAPES
 from gasbox.scenario.dynamics import KINDS, EventDriven
 from gasbox.scenario.forces import Forces
 from gasbox.scenario.histograms import Histograms
+from gasbox.scenario.molecules import Molecule
 from gasbox.scenario.obstacles import STANDING
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.parts import Parts
@@ -50,6 +51,7 @@ def valid_parts(data: Mapping[str, Any], particles: Particles | None) -> Parts:
         _of_kind("kind", _THERMOSTATS, data.get("thermostat")),
         _one(Barostat, data.get("barostat")),
         _one(Heating, data.get("heating")),
+        tuple(_one(Molecule, entry) for entry in _list(data.get("molecules"))),
     )
 
 

@@ -19,8 +19,15 @@ __all__ = ["snapshot", "write"]
 
 def snapshot(scenario: Scenario, frame: Frame, changes: Sequence[tuple[float, Change]] = ()) -> Scenario:
     """The scenario as it stands at `frame`, after these changes; running it goes on with the same bits."""
-    names = np.array([species.name for species in scenario.species], dtype=object)
-    particles = Particles.of(names[frame.state.species].tolist(), frame.state.position, frame.state.velocity)
+    names = np.array([kind.name for kind in scenario.kinds], dtype=object)
+    state = frame.state
+    particles = Particles.of(
+        names[state.species].tolist(),
+        state.position,
+        state.velocity,
+        angle=None if state.sites is None else state.angle,
+        angular_velocity=None if state.sites is None else state.angular_velocity,
+    )
     ids = frame.state.id
     section = Snapshot(
         version=__version__,

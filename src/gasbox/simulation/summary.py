@@ -49,8 +49,8 @@ class Run(Protocol):
 
 
 def radii(scenario: Scenario) -> NDArray[np.float64]:
-    """(species,) float64 [length]: radius of each species."""
-    return np.array([species.radius for species in scenario.species], np.float64)
+    """(kinds,) float64 [length]: how far each kind of particle keeps its centre from a wall, on average."""
+    return np.array([kind.half_width for kind in scenario.kinds], np.float64)
 
 
 def summary(simulation: Run) -> dict[str, Any]:
@@ -116,7 +116,7 @@ def walls(simulation: Run, change: Tallies, here: Geometry, duration: float) -> 
             "heat": float(change.wall_heat[k].sum()),
             "passed": {
                 species.name: {"forward": int(ways[0]), "backward": int(ways[1])}
-                for species, ways in zip(simulation.scenario.species, change.wall_passed[k], strict=True)
+                for species, ways in zip(simulation.scenario.kinds, change.wall_passed[k], strict=True)
             },
             "carried": float(change.wall_carried[k].sum()),
         }
@@ -130,7 +130,7 @@ def _left(simulation: Run, change: Tallies) -> dict[str, int]:
     geometry = simulation.geometry
     open_walls = [k for k, wall in enumerate(getattr(geometry, "walls", ())) if wall.open]
     gone = change.wall_passed[open_walls].sum(axis=(0, 2))
-    names = (species.name for species in simulation.scenario.species)
+    names = (species.name for species in simulation.scenario.kinds)
     return {name: int(count) for name, count in zip(names, gone, strict=True)}
 
 
@@ -154,7 +154,7 @@ def _species(simulation: Run, k: int, count: int) -> dict[str, Any]:
     state, geometry = simulation.state, simulation.geometry
     center = observe.center_of_mass(state, geometry, k)
     return {
-        "name": simulation.scenario.species[k].name,
+        "name": simulation.scenario.kinds[k].name,
         "count": count,
         "temperature": observe.species_temperature(state, geometry, k),
         "mean_speed": observe.mean_speed(state, k),

@@ -11,13 +11,15 @@ from gasbox.state.change import (
     SetWall,
 )
 from gasbox.state.contacts import ContactKind, Contacts
-from gasbox.state.fields import FIELDS, Field
+from gasbox.state.fields import FIELDS, ROTATION, Field
 from gasbox.state.frame import Frame, Memory
+from gasbox.state.sites import Sites
 from gasbox.state.state import State
 from gasbox.state.tallies import Tallies
 
 __all__ = [
     "FIELDS",
+    "ROTATION",
     "Change",
     "ContactKind",
     "Contacts",
@@ -31,6 +33,7 @@ __all__ = [
     "SetHeating",
     "SetThermostat",
     "SetWall",
+    "Sites",
     "State",
     "Tallies",
 ]

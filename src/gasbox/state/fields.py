@@ -7,7 +7,7 @@ from typing import Final
 
 from gasbox.units import UNIT
 
-__all__ = ["FIELDS", "Field"]
+__all__ = ["FIELDS", "ROTATION", "Field"]
 
 
 @dataclass(frozen=True)
@@ -30,3 +30,9 @@ FIELDS: Final[tuple[Field, ...]] = (
     Field("velocity", (2,), "float64", UNIT["velocity"], "velocity of the centre"),
 )
 """All fields of a particle, in the order in which files and tables show them."""
+
+ROTATION: Final[tuple[Field, ...]] = (
+    Field("angle", (), "float64", UNIT["angle"], "by which a molecule is turned, counter-clockwise"),
+    Field("angular_velocity", (), "float64", UNIT["angular_velocity"], "angular velocity, counter-clockwise"),
+)
+"""What a particle has beside these where there are molecules."""

@@ -37,6 +37,9 @@ class Tallies:
     thermostat_heat : (1,) float64 [energy], that a thermostat has given to the gas
     heater_heat : (1,) float64 [energy], that heating at a given power has given to the gas
     barostat_work : (1,) float64 [energy], that a barostat has given to the gas by changing its area
+    rotational_time : (1,) float64 [energy·time], time integral of the rotational energy of molecules (forced dynamics
+        alone); `kinetic_time` is then that of the centres of mass
+    vibrational_time : (1,) float64 [energy·time], likewise of the kinetic energy within flexible molecules
     """
 
     pair_virial: NDArray[np.float64]
@@ -55,6 +58,8 @@ class Tallies:
     thermostat_heat: NDArray[np.float64]
     heater_heat: NDArray[np.float64]
     barostat_work: NDArray[np.float64]
+    rotational_time: NDArray[np.float64]
+    vibrational_time: NDArray[np.float64]
 
     @classmethod
     def zero(cls, species: int, walls: int) -> Tallies:
@@ -77,6 +82,8 @@ class Tallies:
             thermostat_heat=np.zeros(1),
             heater_heat=np.zeros(1),
             barostat_work=np.zeros(1),
+            rotational_time=np.zeros(1),
+            vibrational_time=np.zeros(1),
         )
 
     def copy(self) -> Tallies:
