@@ -34,6 +34,9 @@ __all__ = ["Parts", "build", "compile_kernels"]
 _FRAMES_ACROSS = 240
 """Frames in which a disc of typical speed crosses the shorter side of the box, where no interval is given."""
 
+_WITH_MOLECULES: tuple[str, ...] = ()
+"""Kinds of dynamics that know molecules."""
+
 _STEPS_A_FRAME = 10
 """Of forced dynamics: as many as lie between two measurements of the energy."""
 
@@ -58,6 +61,9 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
     ScenarioError
         Particles that cannot be placed, or overlap where that is not allowed.
     """
+    if scenario.molecules and scenario.dynamics.kind not in _WITH_MOLECULES:
+        found = f"dynamics of kind {scenario.dynamics.kind}"
+        raise ScenarioError([Problem("molecules", found, "it does not know molecules yet")])
     start = scenario.geometry()
     changes = _changes(scenario)
     geometry = start

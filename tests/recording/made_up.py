@@ -70,6 +70,6 @@ def same_bits(first: object, second: object) -> bool:
             and first.shape == second.shape
             and first.tobytes() == second.tobytes()
         )
-    if isinstance(first, int | float):
+    if first is None or isinstance(first, int | float):
         return type(first) is type(second) and first == second
     return type(first) is type(second) and same_bits(vars(first), vars(second))

@@ -126,7 +126,7 @@ def test_bad_listed_particles(particles):
     assert all(path.startswith("particles") for path in found)
 
 
-@pytest.mark.parametrize("key", ["molecules", "world"])
+@pytest.mark.parametrize("key", ["world"])
 def test_reserved_keys_are_not_available_yet(key):
     found = problems(None, **{key: {}})
     assert {path: problem.allowed for path, problem in found.items()} == {key: f"{key} is not available yet"}
