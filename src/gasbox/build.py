@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Final
 
 import numpy as np
 
@@ -13,7 +11,6 @@ from gasbox import dynamics as rules
 from gasbox.errors import Problem, ScenarioError
 from gasbox.geometry import Geometry
 from gasbox.initial import Overlap, populate, recall_walls, separate, worst_overlap
-from gasbox.jit import mark_compiled
 from gasbox.kernels.forced.bath import T_TO
 from gasbox.protocols import Dynamics
 from gasbox.scenario import (
@@ -24,12 +21,11 @@ from gasbox.scenario import (
     Snapshot,
     Stepped,
     pair_laws,
-    parse,
     starting_temperature,
 )
 from gasbox.state import Change, Contacts, Control, Memory, State, Tallies
 
-__all__ = ["Parts", "build", "compile_kernels"]
+__all__ = ["Parts", "build"]
 
 _FRAMES_ACROSS = 240
 """Frames in which a disc of typical speed crosses the shorter side of the box, where no interval is given."""
@@ -239,65 +235,3 @@ def _frame_interval(scenario: Scenario, state: State, geometry: Geometry) -> flo
     wanted = min(geometry.width, geometry.height) / speed / _FRAMES_ACROSS
     power = 10.0 ** math.floor(math.log10(wanted))
     return max(step * power for step in (1.0, 2.0, 5.0) if step * power <= wanted * (1 + 1e-9))
-
-
-def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> None:
-    """Compile all kernels (first start after an installation) or load them from the cache.
-
-    Parameters
-    ----------
-    progress : called before each part and at the end with (parts done, parts in all, name of the next part)
-    """
-    parts: list[tuple[str, Callable[[], object]]] = [
-        ("placing discs", lambda: populate(_tiny("stepped"))),
-        ("finding overlaps", _part_tiny),
-        ("stepped dynamics", lambda: _run_tiny("stepped")),
-        ("finding events", lambda: build(_tiny("event-driven"))),
-        ("event-driven dynamics", lambda: _run_tiny("event-driven")),
-        ("forced dynamics", lambda: _run_tiny("forced")),
-        ("stepped dynamics, walls of any shape", lambda: _run_tiny("stepped", enclosed=True)),
-        ("event-driven dynamics, walls of any shape", lambda: _run_tiny("event-driven", enclosed=True)),
-    ]
-    for done, (name, compile_part) in enumerate(parts):
-        if progress is not None:
-            progress(done, len(parts), name)
-        compile_part()
-    if progress is not None:
-        progress(len(parts), len(parts), "")
-    mark_compiled()
-
-
-_ENCLOSED: Final[dict[str, Any]] = {
-    "gravity": [0, -0.1],
-    "walls": {"top": {"motion": {"kind": "piston", "mass": 10, "pressure": 1}}, "left": {"temperature": 1}},
-    "obstacles": [{"shape": "segment", "start": [10, 0], "end": [10, 5], "passes": ["small"]}],
-}
-
-
-def _tiny(kind: str, enclosed: bool = False) -> Scenario:
-    return parse(
-        {
-            **(_ENCLOSED if enclosed else {}),
-            "format": "gasbox-scenario/1",
-            "container": {"shape": "rectangle", "width": 20, "height": 20},
-            "species": [
-                {"name": "small", "radius": 0.3, "count": 12, "temperature": 1},
-                {"name": "large", "radius": 2, "count": 2, "temperature": 1},
-            ],
-            "dynamics": {"kind": kind},
-        }
-    )
-
-
-def _part_tiny() -> None:
-    scenario = _tiny("stepped")
-    state, geometry = populate(scenario), scenario.geometry()
-    state.position[1] = state.position[0] + 0.01
-    worst_overlap(state, geometry)
-    separate(state, geometry)
-
-
-def _run_tiny(kind: str, enclosed: bool = False) -> None:
-    parts = build(_tiny(kind, enclosed))
-    parts.dynamics.contacts = Contacts.empty(8)
-    parts.dynamics.advance(parts.state, 2.0)

@@ -18,7 +18,7 @@ Progress = Callable[[int, int, str], None]
 
 
 def _compile(progress: Progress | None) -> Any:
-    from gasbox.build import compile_kernels
+    from gasbox.compiling import compile_kernels
 
     return compile_kernels(progress)
 

@@ -59,7 +59,7 @@ class Progress:
 
 def compile_first() -> None:
     """Compile or load the kernels, so that a run is not held up; says so when it takes long."""
-    from gasbox.build import compile_kernels
+    from gasbox.compiling import compile_kernels
     from gasbox.jit import was_compiled
 
     if was_compiled():

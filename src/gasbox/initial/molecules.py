@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
+from gasbox.initial.molecule_places import place_turned
 from gasbox.initial.placing import place
-from gasbox.rng import Stream, generator
-from gasbox.scenario import Scenario, Species
+from gasbox.scenario import Scenario
 from gasbox.state import Sites
 
 __all__ = ["place_all", "sites_of"]
@@ -21,8 +19,8 @@ def sites_of(scenario: Scenario, species: NDArray[np.int32]) -> Sites:
     lengths = np.array([len(kind.sites) for kind in kinds], np.int64)[species]
     first = np.concatenate([[0], np.cumsum(lengths)]).astype(np.int64)
     members = [np.array(kind.sites, np.int32) for kind in kinds]
-    which = np.concatenate([members[k] for k in species]) if species.size else np.zeros(0, np.int32)
-    place = np.concatenate([kinds[k].place for k in species]) if species.size else np.zeros((0, 2))
+    which = np.concatenate([np.zeros(0, np.int32), *(members[k] for k in species)])
+    place = np.concatenate([np.zeros((0, 2)), *(kinds[k].place for k in species)])
     mass = np.array([disc.mass for disc in discs])
     radius = np.array([disc.radius for disc in discs])
     flexible = np.array([kind.flexible for kind in kinds])[species]
@@ -45,28 +43,7 @@ def place_all(
     ScenarioError
         No places were found within a bounded amount of work.
     """
-    if not scenario.molecules:
+    turning = [number for number, kind in enumerate(scenario.kinds) if kind.inertia > 0.0]
+    if not np.isin(np.concatenate([listed_species, species]), turning).any():
         return place(scenario, listed, listed_species, species), np.zeros(species.shape[0])
-    angle = np.zeros(species.shape[0])
-    for number, kind in enumerate(scenario.kinds):
-        members = np.flatnonzero(species == number)
-        if kind.inertia > 0.0 and members.size:
-            random = generator(scenario.seed, Stream.ORIENTATIONS, number)
-            angle[members] = random.uniform(0.0, 2.0 * math.pi, members.size)
-    return place(_as_discs(scenario), listed, listed_species, species), angle
-
-
-def _as_discs(scenario: Scenario) -> Scenario:
-    """The same gas, each molecule a disc that holds it however it turns."""
-    discs = tuple(
-        Species(
-            name=kind.name,
-            radius=kind.radius,
-            count=kind.count,
-            temperature=kind.temperature,
-            speed=kind.speed,
-            region=kind.region,
-        )
-        for kind in scenario.kinds[len(scenario.species) :]
-    )
-    return scenario.model_copy(update={"species": (*scenario.species, *discs), "molecules": ()})
+    return place_turned(scenario, listed, listed_species, listed_angle, species)

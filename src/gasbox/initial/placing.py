@@ -19,7 +19,7 @@ from gasbox.initial.room import Room
 from gasbox.rng import Stream, generator
 from gasbox.scenario import MIXTURE_LIMIT, Crowd, Forced, Placement, Scenario, centre_bounds
 
-__all__ = ["place"]
+__all__ = ["place", "sizes_tried"]
 
 _DILUTE: Final = 0.35
 """Up to this area fraction discs of one size are inserted at random; above, they start from a lattice."""
@@ -46,7 +46,9 @@ def place(
         No places were found within a bounded amount of work.
     """
     soft = isinstance(scenario.dynamics, Forced)
-    placement = Placement(scenario.geometry(), scenario.species, scenario.particles, soft, scenario.seed)
+    placement = Placement(
+        scenario.geometry(), scenario.kinds, scenario.site_kinds, scenario.particles, soft, scenario.seed
+    )
     placed, free = np.empty((species.shape[0], 2)), np.ones(species.shape[0], np.bool_)
     for number, places in placement.on_lattices().items():
         members = species == number
@@ -68,18 +70,19 @@ def _place_at_random(
 ) -> NDArray[np.float64]:
     """Positions of discs that stand nowhere yet; arguments as those of `place`."""
     geometry, found = placement.geometry, placement.crowds()
-    reach = np.array([entry.radius for entry in scenario.species])
-    bounds = np.array([entry.bounds(geometry) for entry in scenario.species])
+    reach = np.array([entry.radius for entry in scenario.kinds])
+    bounds = np.array([entry.bounds(geometry) for entry in scenario.kinds])
     low, high = _centre_bounds(scenario)
     random = generator(scenario.seed, Stream.POSITIONS)
-    turn = _turns(placement.radii[species], reach[species], bounds[species], random)
+    radii = np.array([kind.radius for kind in placement.sized()])
+    turn = _turns(radii[species], reach[species], bounds[species], random)
     every = np.concatenate([listed_species, species[turn]])
     walls = None
     if isinstance(geometry, Enclosure) and not all(crowd.plain for crowd in found):
         walls = barriers(geometry, float(reach.max()))
     refusal: Problem | None = None
-    for factor in _sizes(found):
-        radius = factor * placement.radii[every]
+    for factor in sizes_tried(found):
+        radius = factor * radii[every]
         room = Room.around(geometry, listed, radius, low[every], high[every], reach[every], walls)
         refusal = _fill_all(room, found, species[turn], listed.shape[0], random)
         if refusal is None:
@@ -90,7 +93,7 @@ def _place_at_random(
     raise ScenarioError([refusal])
 
 
-def _sizes(found: tuple[Crowd, ...]) -> tuple[float, ...]:
+def sizes_tried(found: tuple[Crowd, ...]) -> tuple[float, ...]:
     """Factors of the radii, in one attempt after the other: where forces act, discs may start a little too close."""
     if not any(crowd.soft for crowd in found):
         return (1.0,)
@@ -127,7 +130,7 @@ def _turns(
 def _centre_bounds(scenario: Scenario) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Lower and upper bounds (species, 2) [length] of the centres."""
     geometry = scenario.geometry()
-    found = [centre_bounds(geometry, entry.bounds(geometry), entry.radius) for entry in scenario.species]
+    found = [centre_bounds(geometry, entry.bounds(geometry), entry.radius) for entry in scenario.kinds]
     low, high = np.array(found).transpose(1, 0, 2)
     return low.copy(), high.copy()
 

@@ -110,7 +110,7 @@ def crowding_problems(parts: Parts) -> Iterator[Problem]:
         if wall.passes is not None:
             geometry = geometry.with_wall(number, passes=Passage())
     course = _Course(geometry, tracks(geometry, schedule), schedule)
-    gas = shares(geometry, parts.species, parts.particles)
+    gas = shares(geometry, parts.kinds(), parts.particles)
     before = 0.0
     for time in course.times():
         if _trouble(course, gas, time):

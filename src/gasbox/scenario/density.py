@@ -1,4 +1,4 @@
-"""How densely discs may be placed, and which of them compete for the same room."""
+"""How densely particles may be placed, and which of them compete for the same room."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from gasbox.errors import Problem
 from gasbox.geometry import Enclosure, Geometry, Rectangle, side_count
 from gasbox.geometry.solids import blocks as blocks_somebody
 from gasbox.geometry.solids import images, outline, shape_of
+from gasbox.scenario.kinds import Kind
 from gasbox.scenario.particles import Particles
-from gasbox.scenario.species import Species
 
 __all__ = ["MIXTURE_LIMIT", "ONE_SIZE_LIMIT", "Crowd", "centre_bounds", "crowds", "density_problems"]
 
@@ -32,16 +32,16 @@ Vector = tuple[float, float]
 
 @dataclass(frozen=True)
 class Crowd:
-    """Discs that have to share one part of the container.
+    """Particles that have to share one part of the container.
 
     Attributes
     ----------
     bounds : left, right, lower and upper end [length] of a rectangle; what of the container lies in it is the part
     area : of the part, without blocks and posts [length²]
-    members : indices of the species placed wholly inside it
-    fraction : area of all discs inside (listed ones, too) over the area of that part
-    one_size : whether all discs inside have one radius
-    alone : whether no disc from elsewhere can get in the way: no other part overlaps this one
+    members : indices of the kinds placed wholly inside it
+    fraction : area of all particles inside (listed ones, too) over the area of that part
+    one_size : whether all particles inside are discs of one radius
+    alone : whether no particle from elsewhere can get in the way: no other part overlaps this one
     plain : whether the part is the whole rectangle, with nothing standing in it
     soft : whether forces will push apart what overlaps a little
     """
@@ -63,15 +63,15 @@ class Crowd:
 
 
 def crowds(
-    geometry: Geometry, species: Sequence[Species], particles: Particles | None, soft: bool = False
+    geometry: Geometry, kinds: Sequence[Kind], particles: Particles | None, soft: bool = False
 ) -> tuple[Crowd, ...]:
     """One crowd for each part of the container that is asked for; if any overlap, the last one is the whole."""
     whole = (0.0, geometry.width, 0.0, geometry.height)
-    parts = list(dict.fromkeys(entry.bounds(geometry) for entry in species if entry.count))
+    parts = list(dict.fromkeys(entry.bounds(geometry) for entry in kinds if entry.count))
     overlapping = any(_overlap(one, other) for one, other in itertools.combinations(parts, 2))
     if overlapping:
         parts = [part for part in parts if part != whole] + [whole]
-    found = (_crowd(part, not overlapping, geometry, species, particles) for part in parts)
+    found = (_crowd(part, not overlapping, geometry, kinds, particles) for part in parts)
     return tuple(replace(crowd, soft=soft) for crowd in found)
 
 
@@ -84,18 +84,16 @@ def _inside(inner: Bounds, outer: Bounds) -> bool:
 
 
 def _crowd(
-    part: Bounds, alone: bool, geometry: Geometry, species: Sequence[Species], particles: Particles | None
+    part: Bounds, alone: bool, geometry: Geometry, kinds: Sequence[Kind], particles: Particles | None
 ) -> Crowd:
     members = tuple(
-        number
-        for number, entry in enumerate(species)
-        if entry.count and _inside(entry.bounds(geometry), part)
+        number for number, entry in enumerate(kinds) if entry.count and _inside(entry.bounds(geometry), part)
     )
-    sizes = [(species[number].radius, species[number].count) for number in members]
-    sizes += _listed_sizes(part, species, particles)
-    area = sum(count * math.pi * radius**2 for radius, count in sizes)
+    held = [(kinds[number], kinds[number].count) for number in members]
+    held += _listed(part, kinds, particles)
+    area = sum(count * kind.area for kind, count in held)
     room, plain = _room(part, geometry)
-    one_size = len({radius for radius, _ in sizes}) <= 1
+    one_size = len({kind.radius for kind, _ in held}) <= 1 and all(len(kind.sites) == 1 for kind, _ in held)
     return Crowd(part, members, area / room if room else math.inf, one_size, alone, room, plain)
 
 
@@ -155,38 +153,50 @@ def _is_open(geometry: Enclosure, wall: int) -> bool:
     return any(entry.open for entry in geometry.walls[: side_count(geometry.container)])
 
 
-def _listed_sizes(
-    part: Bounds, species: Sequence[Species], particles: Particles | None
-) -> list[tuple[float, int]]:
-    """Radius [length] and number of the listed discs whose centres lie in the part."""
+def _listed(part: Bounds, kinds: Sequence[Kind], particles: Particles | None) -> list[tuple[Kind, int]]:
+    """Kind and number of the listed particles whose centres lie in the part."""
     if particles is None or not particles.count:
         return []
     x, y = particles.position.T
     held = (x >= part[0]) & (x <= part[1]) & (y >= part[2]) & (y <= part[3])
     counts = np.bincount(particles.index[held], minlength=len(particles.names)).tolist()
-    radius = {entry.name: entry.radius for entry in species}
+    known = {kind.name: kind for kind in kinds}
     named = zip(particles.names, counts, strict=True)
-    return [(radius[name], count) for name, count in named if count and name in radius]
+    return [(known[name], count) for name, count in named if count and name in known]
 
 
-def density_problems(geometry: Geometry, found: Sequence[Crowd], discs: str = "discs") -> Iterator[Problem]:
-    """Parts of the container that are asked to hold too much; `discs` is what to call those that were counted."""
+def density_problems(
+    geometry: Geometry, found: Sequence[Crowd], paths: Sequence[str], discs: str = "discs"
+) -> Iterator[Problem]:
+    """Parts of the container that are asked to hold too much.
+
+    Parameters
+    ----------
+    paths : of the kinds
+    discs : what to call those that were counted
+    """
     whole = (0.0, geometry.width, 0.0, geometry.height)
     for crowd in found:
         if crowd.fraction <= crowd.limit * (1 + _ROUNDING):
             continue
+        molecules = any(paths[member].startswith("molecules") for member in crowd.members)
         kind = (
             f"{discs} of one size"
             if crowd.limit == ONE_SIZE_LIMIT
+            else discs
+            if molecules
             else f"{discs} of several sizes or regions"
         )
         if not crowd.plain:
             kind = f"{discs} beside obstacles or in a shape that is no rectangle"
         kind = discs if crowd.soft else kind
-        single = len(crowd.members) == 1
-        path = f"species[{crowd.members[0]}].count" if single else "species"
+        path = f"{paths[crowd.members[0]]}.count"
+        if len(crowd.members) > 1:
+            path = "molecules" if molecules else "species"
         where = "" if crowd.bounds == whole else " of the region"
         area = f"an area fraction{where} of {crowd.fraction:.4g}"
         yield Problem(
-            path, area, f"at most {crowd.limit:g} for {kind}; use fewer or smaller discs or a larger box"
+            path,
+            area,
+            f"at most {crowd.limit:g} for {kind}; use fewer or smaller {discs.split()[0]} or a larger box",
         )

@@ -17,5 +17,6 @@ def schema() -> dict[str, Any]:
         "A gas in a box: what is in it, how it moves, and how it is shown. "
         f"Kept for later and not available yet: {', '.join(sorted(KEYS))}."
     )
+    described["anyOf"] = [{"required": ["species"]}, {"required": ["molecules"]}]
     address = "https://json-schema.org/draft/2020-12/schema"
     return {"$schema": address, **described, "title": "gasbox scenario"}

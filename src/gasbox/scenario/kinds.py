@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.geometry import Geometry
+from gasbox.geometry.discs import support, union_area
 from gasbox.scenario.molecule_models import model_atoms
 from gasbox.scenario.molecules import Atom, Bend, Bond, Molecule
 from gasbox.scenario.species import Region, Species
 
-__all__ = ["Kind", "kinds_of", "site_kinds_of"]
+__all__ = ["Kind", "anatomy", "kinds_of", "site_kinds_of", "sound_kinds"]
 
 _AT_CENTRE = 1e-12
 
@@ -31,8 +32,10 @@ class Kind:
     mass : [mass]
     radius : from the centre of mass to the farthest rim [length]
     half_width : mean over all directions of how far it reaches from its centre of mass [length]; a disc's radius
+    area : of all its discs together, where they overlap counted once [length²]
     inertia : moment of inertia about the centre of mass [mass·length²]; 0 of what does not rotate
     sites : index of each of its discs into the kinds of site (`site_kinds_of`)
+    radii : (sites,) float64 [length], radius of each
     place : (sites, 2) float64 [length], where these stand, seen from the centre of mass
     bonds, angles : as the scenario has them, lengths and angles at rest filled in
     flexible : whether it is not rigid
@@ -53,8 +56,10 @@ class Kind:
     mass: float
     radius: float
     half_width: float
+    area: float
     inertia: float
     sites: tuple[int, ...]
+    radii: NDArray[np.float64]
     place: NDArray[np.float64]
     bonds: tuple[Bond, ...]
     angles: tuple[Bend, ...]
@@ -130,6 +135,30 @@ def kinds_of(species: Sequence[Species], molecules: Sequence[Molecule]) -> tuple
     return tuple(found)
 
 
+def sound_kinds(species: Sequence[Species | None], molecules: Sequence[Molecule | None]) -> list[Kind]:
+    """The kinds of those entries that are valid, and whose atoms are known."""
+    valid = [entry for entry in species if entry is not None]
+    names = [entry.name for entry in valid]
+    sound = [molecule for molecule in molecules if molecule is not None and _is_sound(molecule, names)]
+    if len(valid) == len(species) and len(sound) == len(molecules):
+        return list(kinds_of(valid, sound))
+    found = [_of_species(entry, number) for number, entry in enumerate(species) if entry is not None]
+    for number, molecule in enumerate(molecules):
+        if molecule in sound:
+            assert molecule is not None
+            found.append(replace(kinds_of(valid, [molecule])[-1], path=f"molecules[{number}]"))
+    return found
+
+
+def _is_sound(molecule: Molecule, names: Sequence[str]) -> bool:
+    if (molecule.model is None) == (not molecule.atoms):
+        return False
+    atoms, bonds = anatomy(molecule)
+    members = [number for bond in bonds for number in bond.atoms]
+    members += [number for bend in molecule.angles for number in bend.atoms]
+    return max(members, default=0) < len(atoms) and all(atom.species in (None, *names) for atom in atoms)
+
+
 def _of_species(entry: Species, number: int) -> Kind:
     return Kind(
         path=f"species[{number}]",
@@ -146,8 +175,10 @@ def _of_species(entry: Species, number: int) -> Kind:
         mass=entry.mass,
         radius=entry.radius,
         half_width=entry.radius,
+        area=math.pi * entry.radius**2,
         inertia=0.0,
         sites=(number,),
+        radii=np.array([entry.radius]),
         place=np.zeros((1, 2)),
         bonds=(),
         angles=(),
@@ -182,8 +213,10 @@ def _of_molecule(molecule: Molecule, number: int, sites: tuple[int, ...], discs:
         mass=float(mass.sum()),
         radius=float((away + radius).max()),
         half_width=_half_width(place, radius),
+        area=union_area(place, radius),
         inertia=inertia if turns else 0.0,
         sites=sites,
+        radii=radius,
         place=place,
         bonds=tuple(_at_rest(bond, place) for bond in bonds),
         angles=tuple(_bend_at_rest(bend, place) for bend in molecule.angles),
@@ -195,8 +228,7 @@ def _of_molecule(molecule: Molecule, number: int, sites: tuple[int, ...], discs:
 def _half_width(place: NDArray[np.float64], radius: NDArray[np.float64]) -> float:
     """Perimeter of the convex hull of all discs over 2 pi (Cauchy); of the mean width, half."""
     turn = np.linspace(0.0, 2.0 * math.pi, 720, endpoint=False)
-    reach = place[:, :1] * np.cos(turn) + place[:, 1:] * np.sin(turn) + radius[:, None]
-    return float(reach.max(axis=0).mean())
+    return float(support(place, radius, turn).mean())
 
 
 def _at_rest(bond: Bond, place: NDArray[np.float64]) -> Bond:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from gasbox.geometry import Geometry, Rectangle
 from gasbox.scenario.density import centre_bounds
-from gasbox.scenario.species import Species
+from gasbox.scenario.kinds import Kind
 
 __all__ = ["Lattice", "lattice_places", "lattices"]
 
@@ -47,16 +47,16 @@ class Lattice:
     least: float
 
 
-def lattices(geometry: Geometry, species: Sequence[Species], soft: bool) -> tuple[Lattice, ...]:
+def lattices(geometry: Geometry, kinds: Sequence[Kind], soft: bool) -> tuple[Lattice, ...]:
     """All lattices that are asked for; `soft` if discs may overlap."""
     groups: dict[tuple[float, tuple[float, float, float, float]], list[int]] = {}
-    for number, entry in enumerate(species):
+    for number, entry in enumerate(kinds):
         if entry.lattice is not None and entry.count:
             groups.setdefault((entry.lattice, entry.bounds(geometry)), []).append(number)
     found = []
     for (spacing, bounds), members in groups.items():
-        radius = max(species[number].radius for number in members)
-        count = sum(species[number].count for number in members)
+        radius = max(kinds[number].radius for number in members)
+        count = sum(kinds[number].count for number in members)
         found.append(Lattice(spacing, bounds, tuple(members), count, radius, 0.0 if soft else 2 * radius))
     return tuple(found)
 

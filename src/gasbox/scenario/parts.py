@@ -10,7 +10,7 @@ from gasbox.scenario.container import Container
 from gasbox.scenario.dynamics import EventDriven, Forced, Stepped
 from gasbox.scenario.forces import Forces
 from gasbox.scenario.histograms import Histograms
-from gasbox.scenario.kinds import Kind, kinds_of
+from gasbox.scenario.kinds import Kind, sound_kinds
 from gasbox.scenario.molecules import Molecule
 from gasbox.scenario.obstacles import Obstacle
 from gasbox.scenario.particles import Particles
@@ -51,11 +51,9 @@ class Parts:
         names = tuple(entry.name for entry in every if entry is not None)
         return names if len(names) == len(every) else None
 
-    def kinds(self) -> tuple[Kind, ...]:
-        """All kinds of particle, which must be valid."""
-        return kinds_of(
-            [entry for entry in self.species if entry], [entry for entry in self.molecules if entry]
-        )
+    def kinds(self) -> list[Kind]:
+        """The kinds of particle, as far as they are valid and their atoms are known."""
+        return sound_kinds(self.species, self.molecules)
 
     @property
     def are_valid(self) -> bool:

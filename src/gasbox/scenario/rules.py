@@ -14,6 +14,7 @@ from gasbox.scenario.crowding import crowding_problems, glide_problems
 from gasbox.scenario.dynamics import Forced, Stepped
 from gasbox.scenario.falling import falling_problems
 from gasbox.scenario.forced_rules import forced_problems
+from gasbox.scenario.kinds import site_kinds_of
 from gasbox.scenario.molecule_rules import molecule_problems
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.placement import Placement, placement_problems
@@ -56,12 +57,15 @@ def broken_rules(parts: Parts) -> list[Problem]:
     if parts.are_valid and not shapes and not walls:
         problems += glide_problems(parts)
     geometry = _surroundings(parts, with_all=not shapes and not walls)
-    room = [*size_problems(geometry, parts.species), *region_problems(geometry, parts.species)]
+    kinds = parts.kinds()
+    room = [*size_problems(geometry, kinds, parts.species), *region_problems(geometry, kinds)]
     problems += [*room, *_listed_positions(parts, geometry)]
-    if not room and parts.snapshot is None and all(parts.species):
-        valid = tuple(entry for entry in parts.species if entry is not None)
+    if not room and parts.snapshot is None and len(kinds) == len(parts.species) + len(parts.molecules):
+        discs = site_kinds_of(
+            [entry for entry in parts.species if entry], [entry for entry in parts.molecules if entry]
+        )
         soft = isinstance(parts.dynamics, Forced)
-        problems += placement_problems(Placement(geometry, valid, parts.particles, soft))
+        problems += placement_problems(Placement(geometry, tuple(kinds), discs, parts.particles, soft))
         if parts.are_valid and not problems:
             problems += crowding_problems(parts)
     return problems

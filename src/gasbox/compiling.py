@@ -1,0 +1,89 @@
+"""Compiles all kernels before they are needed, each by a gas that is so small that it takes no time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Final
+
+from gasbox.build import build
+from gasbox.initial import populate, separate, worst_overlap
+from gasbox.jit import mark_compiled
+from gasbox.scenario import Scenario, parse
+from gasbox.state import Contacts
+
+__all__ = ["compile_kernels"]
+
+
+def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> None:
+    """Compile all kernels (first start after an installation) or load them from the cache.
+
+    Parameters
+    ----------
+    progress : called before each part and at the end with (parts done, parts in all, name of the next part)
+    """
+    parts: list[tuple[str, Callable[[], object]]] = [
+        ("placing discs", lambda: populate(_tiny("stepped"))),
+        ("placing molecules", _place_tiny_molecules),
+        ("finding overlaps", _part_tiny),
+        ("stepped dynamics", lambda: _run_tiny("stepped")),
+        ("finding events", lambda: build(_tiny("event-driven"))),
+        ("event-driven dynamics", lambda: _run_tiny("event-driven")),
+        ("forced dynamics", lambda: _run_tiny("forced")),
+        ("stepped dynamics, walls of any shape", lambda: _run_tiny("stepped", enclosed=True)),
+        ("event-driven dynamics, walls of any shape", lambda: _run_tiny("event-driven", enclosed=True)),
+    ]
+    for done, (name, compile_part) in enumerate(parts):
+        if progress is not None:
+            progress(done, len(parts), name)
+        compile_part()
+    if progress is not None:
+        progress(len(parts), len(parts), "")
+    mark_compiled()
+
+
+_ENCLOSED: Final[dict[str, Any]] = {
+    "gravity": [0, -0.1],
+    "walls": {"top": {"motion": {"kind": "piston", "mass": 10, "pressure": 1}}, "left": {"temperature": 1}},
+    "obstacles": [{"shape": "segment", "start": [10, 0], "end": [10, 5], "passes": ["small"]}],
+}
+
+
+def _tiny(kind: str, enclosed: bool = False) -> Scenario:
+    return parse(
+        {
+            **(_ENCLOSED if enclosed else {}),
+            "format": "gasbox-scenario/1",
+            "container": {"shape": "rectangle", "width": 20, "height": 20},
+            "species": [
+                {"name": "small", "radius": 0.3, "count": 12, "temperature": 1},
+                {"name": "large", "radius": 2, "count": 2, "temperature": 1},
+            ],
+            "dynamics": {"kind": kind},
+        }
+    )
+
+
+def _place_tiny_molecules() -> None:
+    stick = {
+        "atoms": [{"position": [k, 0]} for k in range(3)],
+        "count": 20,
+        "temperature": 1,
+        "name": "stick",
+    }
+    for obstacles in ([], [{"shape": "disc", "center": [5, 5], "radius": 1}]):
+        box = {"container": {"width": 40, "height": 40}, "obstacles": obstacles}
+        populate(parse({**box, "molecules": [stick]}))
+
+
+def _part_tiny() -> None:
+    scenario = _tiny("stepped")
+    state, geometry = populate(scenario), scenario.geometry()
+    state.position[1] = state.position[0] + 0.01
+    worst_overlap(state, geometry)
+    separate(state, geometry)
+
+
+def _run_tiny(kind: str, enclosed: bool = False) -> None:
+    parts = build(_tiny(kind, enclosed))
+    parts.dynamics.contacts = Contacts.empty(8)
+    parts.dynamics.advance(parts.state, 2.0)

@@ -1,0 +1,1 @@
+"""Kernels for molecules: rigid bodies of discs."""
