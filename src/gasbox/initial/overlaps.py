@@ -48,27 +48,28 @@ class Overlap:
 def worst_overlap(state: State, geometry: Geometry) -> Overlap | None:
     """The deepest overlap of two discs or of a disc and a wall; None if nothing more than touches.
 
-    Touching is up to 1e-9 of the smaller radius: as much as exact dynamics may leave by rounding.
+    Touching is up to 1e-9 of the smaller radius: as much as exact dynamics may leave by rounding. Of molecules all
+    discs are looked at, against those of other particles.
     """
     if not state.count:
         return None
-    position = geometry.wrap(state.position)
-    grid = empty_grid(geometry, state.radius)
-    enter_all(grid, position, np.arange(state.count))
-    first, second, depth = worst_pair(grid, position, state.radius, _TOUCHING)
-    pair = Overlap(int(state.id[first]), int(state.id[second]), float(depth)) if first >= 0 else None
-    wall = _worst_at_wall(state, geometry)
+    discs, owner = (
+        (state, np.arange(state.count)) if state.sites is None else (state.sites, state.sites.owner)
+    )
+    position = geometry.wrap(discs.position)
+    grid = empty_grid(geometry, discs.radius)
+    enter_all(grid, position, np.arange(len(position)))
+    first, second, depth = worst_pair(grid, position, discs.radius, owner, _TOUCHING)
+    pair = None
+    if first >= 0:
+        one, other = sorted((int(state.id[owner[first]]), int(state.id[owner[second]])))
+        pair = Overlap(one, other, float(depth))
+    wall = None
+    if (found := worst_at_wall(discs.position, discs.radius, geometry, _TOUCHING)) is not None:
+        wall = Overlap(int(state.id[owner[found[0]]]), None, found[2], geometry.wall_names[found[1]])
     if pair is None or wall is None:
         return pair or wall
     return pair if pair.depth >= wall.depth else wall
-
-
-def _worst_at_wall(state: State, geometry: Geometry) -> Overlap | None:
-    found = worst_at_wall(state.position, state.radius, geometry, _TOUCHING)
-    if found is None:
-        return None
-    row, wall, depth = found
-    return Overlap(int(state.id[row]), None, depth, geometry.wall_names[wall])
 
 
 def separate(state: State, geometry: Geometry) -> float:

@@ -30,7 +30,11 @@ def enter_all(grid: SizeGrid, position: NDArray[np.float64], order: NDArray[np.i
 
 @kernel
 def worst_pair(
-    grid: SizeGrid, position: NDArray[np.float64], radius: NDArray[np.float64], touching: float
+    grid: SizeGrid,
+    position: NDArray[np.float64],
+    radius: NDArray[np.float64],
+    owner: NDArray[np.int64],
+    touching: float,
 ) -> tuple[int, int, float]:
     """The pair that overlaps most.
 
@@ -38,6 +42,7 @@ def worst_pair(
     ----------
     position : (n, 2) float64 [length]
     radius : (n,) float64 [length]
+    owner : (n,) int64, the particle that each disc belongs to; those of one particle may overlap
     touching : depth, as a fraction of the smaller radius, up to which two discs only touch
 
     Returns
@@ -61,7 +66,7 @@ def worst_pair(
                 for column in range(left, right + 1):
                     j = grid.head[start + around(column, columns)]
                     while j >= 0:
-                        if j < i or (j > i and k < grid.size_class[i]):
+                        if (j < i or (j > i and k < grid.size_class[i])) and owner[i] != owner[j]:
                             dx = nearest(x - position[j, 0], grid.size[0], grid.periodic[0])
                             dy = nearest(y - position[j, 1], grid.size[1], grid.periodic[1])
                             depth = r + radius[j] - math.sqrt(dx * dx + dy * dy)
