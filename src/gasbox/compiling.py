@@ -25,6 +25,7 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
         ("placing discs", lambda: populate(_tiny("stepped"))),
         ("placing molecules", _place_tiny_molecules),
         ("finding overlaps", _part_tiny),
+        ("finding overlaps of molecules", _part_tiny_molecules),
         ("stepped dynamics", lambda: _run_tiny("stepped")),
         ("finding events", lambda: build(_tiny("event-driven"))),
         ("event-driven dynamics", lambda: _run_tiny("event-driven")),
@@ -48,6 +49,9 @@ _ENCLOSED: Final[dict[str, Any]] = {
 }
 
 
+_POST: Final[dict[str, Any]] = {"shape": "disc", "center": [5, 5], "radius": 1}
+
+
 def _tiny(kind: str, enclosed: bool = False) -> Scenario:
     return parse(
         {
@@ -64,15 +68,25 @@ def _tiny(kind: str, enclosed: bool = False) -> Scenario:
 
 
 def _place_tiny_molecules() -> None:
-    stick = {
-        "atoms": [{"position": [k, 0]} for k in range(3)],
-        "count": 20,
-        "temperature": 1,
-        "name": "stick",
-    }
-    for obstacles in ([], [{"shape": "disc", "center": [5, 5], "radius": 1}]):
-        box = {"container": {"width": 40, "height": 40}, "obstacles": obstacles}
-        populate(parse({**box, "molecules": [stick]}))
+    for obstacles in ([], [_POST]):
+        populate(_tiny_molecules(obstacles))
+
+
+def _part_tiny_molecules() -> None:
+    for obstacles in ([], [_POST]):
+        scenario = _tiny_molecules(obstacles)
+        state, geometry = populate(scenario), scenario.geometry()
+        state.position[1] = state.position[0] + 0.01
+        state.turn_sites()
+        worst_overlap(state, geometry)
+        separate(state, geometry)
+
+
+def _tiny_molecules(obstacles: list[dict[str, Any]]) -> Scenario:
+    atoms = [{"position": [k, 0]} for k in range(3)]
+    stick = {"name": "stick", "atoms": atoms, "count": 20, "temperature": 1}
+    box = {"container": {"width": 40, "height": 40}, "obstacles": obstacles}
+    return parse({**box, "molecules": [stick]})
 
 
 def _part_tiny() -> None:

@@ -6,10 +6,12 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gasbox.errors import Problem, ScenarioError
 from gasbox.geometry import Enclosure, Geometry
 from gasbox.initial.grid import empty_grid
+from gasbox.initial.molecule_overlaps import part_molecules
 from gasbox.initial.walls import bounds, out_of_walls, worst_at_wall
 from gasbox.kernels.overlaps import SEPARATED, enter_all, push_apart, worst_pair
 from gasbox.state import State
@@ -25,12 +27,12 @@ _LOOKS_MORE: Final = 1_000_000
 
 @dataclass(frozen=True)
 class Overlap:
-    """Two discs, or a disc and a wall, that are in one another.
+    """Two particles, or a particle and a wall, that are in one another.
 
     Attributes
     ----------
-    first : id of a disc (of a pair: the lower one)
-    second : id of the other disc; None for a wall
+    first : id of a particle (of a pair: the lower one)
+    second : id of the other one; None for a wall
     depth : [length]
     wall : name of the wall; None for a pair
     """
@@ -73,9 +75,9 @@ def worst_overlap(state: State, geometry: Geometry) -> Overlap | None:
 
 
 def separate(state: State, geometry: Geometry) -> float:
-    """Push overlapping discs apart and into the walls, in place, each pair only as far as it needs.
+    """Push overlapping particles apart and into the walls, in place, each pair only as far as it needs.
 
-    Lighter discs give way farther, so that the centre of mass of a pair stays where it is.
+    Molecules are turned, too. Lighter ones give way farther, so that the centre of mass of a pair stays where it is.
 
     Returns
     -------
@@ -88,6 +90,11 @@ def separate(state: State, geometry: Geometry) -> float:
     """
     if not state.count:
         return 0.0
+    if state.sites is not None:
+        before = state.sites.position.copy()
+        if not part_molecules(state, geometry, _GAP) or worst_overlap(state, geometry) is not None:
+            raise ScenarioError([_crowded(state, geometry, "molecules")])
+        return _largest(state.sites.position - before, geometry)
     low, high = bounds(state.radius, geometry)
     position = np.clip(geometry.wrap(state.position), low, high)
     walls = None
@@ -102,10 +109,21 @@ def separate(state: State, geometry: Geometry) -> float:
         grid, position, state.radius, share, low, high, state.radius, walls, _GAP, everyone, budget
     )
     if status != SEPARATED:
-        fraction = float(np.pi * np.square(state.radius).sum()) / geometry.area
-        found = f"overlapping discs at an area fraction of {fraction:.4g}"
-        raise ScenarioError([Problem("particles", found, "they could not be pushed apart; use a larger box")])
-    moved = position - state.position
-    moved -= np.where(geometry.periodic, np.round(moved / geometry.size) * geometry.size, 0.0)
+        raise ScenarioError([_crowded(state, geometry, "discs")])
+    moved = _largest(position - state.position, geometry)
     state.position[:] = position
+    return moved
+
+
+def _crowded(state: State, geometry: Geometry, what: str) -> Problem:
+    found = f"overlapping {what}"
+    if state.sites is None:
+        fraction = float(np.pi * np.square(state.radius).sum()) / geometry.area
+        found += f" at an area fraction of {fraction:.4g}"
+    return Problem("particles", found, "they could not be pushed apart; use a larger box")
+
+
+def _largest(moved: NDArray[np.float64], geometry: Geometry) -> float:
+    """The largest of displacements (n, 2) [length], to the nearest image."""
+    moved = moved - np.where(geometry.periodic, np.round(moved / geometry.size) * geometry.size, 0.0)
     return float(np.sqrt(np.square(moved).sum(axis=1)).max())

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from gasbox.jit import kernel
 
-__all__ = ["Barriers", "deepest", "is_clear", "moved"]
+__all__ = ["Barriers", "deepest", "depth_at", "is_clear", "moved"]
 
 _ROUNDS = 32
 """So often a disc is pushed out of the wall in which it is deepest."""
@@ -79,7 +79,7 @@ def _away(walls: Barriers, e: int, x: float, y: float) -> tuple[float, float, fl
 
 
 @kernel
-def _deepest(walls: Barriers, x: float, y: float, r: float) -> tuple[float, float, float]:
+def depth_at(walls: Barriers, x: float, y: float, r: float) -> tuple[float, float, float]:
     """Depth [length] of a disc in the wall in which it is deepest (0 if it is clear), and which way it gets out."""
     depth, nx, ny = 0.0, 0.0, 0.0
     c = _cell(walls, x, y)
@@ -121,7 +121,7 @@ def deepest(
     """
     first, worst = -1, 0.0
     for i in range(position.shape[0]):
-        depth, _, _ = _deepest(walls, position[i, 0], position[i, 1], radius[i])
+        depth, _, _ = depth_at(walls, position[i, 0], position[i, 1], radius[i])
         if depth > worst and depth > touching * radius[i] + rounding:
             first, worst = i, depth
     return first, worst
@@ -148,7 +148,7 @@ def is_clear(walls: Barriers, x: float, y: float, r: float) -> bool:
     c = _cell(walls, x, y)
     if walls.free[c] and walls.rim[2] == 0.0:
         return True
-    depth, _, _ = _deepest(walls, x, y, r)
+    depth, _, _ = depth_at(walls, x, y, r)
     if depth > walls.slack:
         return False
     if walls.free[c]:
@@ -196,7 +196,7 @@ def _settled(
     """
     for _ in range(_ROUNDS):
         x, y = min(max(x, low[0]), high[0]), min(max(y, low[1]), high[1])
-        depth, nx, ny = _deepest(walls, x, y, r)
+        depth, nx, ny = depth_at(walls, x, y, r)
         if depth <= walls.slack:
             return x, y, True
         x += nx * (depth + _OVERSHOOT * r)

@@ -18,7 +18,7 @@ from gasbox.jit import kernel
 from gasbox.kernels.barriers import Barriers, is_clear
 from gasbox.kernels.size_grid import SizeGrid, overlaps_any, put, take
 
-__all__ = ["Bodies", "enter_bodies", "insert_bodies", "shake_bodies"]
+__all__ = ["Bodies", "enter", "enter_bodies", "insert_bodies", "lay_out", "leave", "shake_bodies"]
 
 
 class Bodies(NamedTuple):
@@ -52,9 +52,7 @@ class Bodies(NamedTuple):
 
 
 @kernel
-def _lay_out(
-    bodies: Bodies, size: NDArray[np.float64], i: int, x: float, y: float, angle: float, scale: float
-) -> bool:
+def lay_out(bodies: Bodies, grid: SizeGrid, i: int, x: float, y: float, angle: float, scale: float) -> bool:
     """Put the discs of a particle where they would be; False if one is beyond its bounds."""
     cos, sin = scale * math.cos(angle), scale * math.sin(angle)
     inside = True
@@ -64,9 +62,9 @@ def _lay_out(
         for axis in range(2):
             there = x + cos * along - sin * across if axis == 0 else y + sin * along + cos * across
             low, high = bodies.low[k, axis], bodies.high[k, axis]
-            # Who reaches a whole side of the box is stopped there by nothing but a period.
-            if low == 0.0 and high == size[axis]:
-                there -= math.floor(there / size[axis]) * size[axis]
+            # Who reaches the whole of a period goes round it.
+            if grid.periodic[axis] and low == 0.0 and high == grid.size[axis]:
+                there -= math.floor(there / grid.size[axis]) * grid.size[axis]
             else:
                 shrunk = (1.0 - scale) * bodies.reach[k]
                 inside &= low - shrunk <= there <= high + shrunk
@@ -89,26 +87,28 @@ def _is_free(bodies: Bodies, grid: SizeGrid, walls: Barriers | None, i: int, sca
 
 
 @kernel
-def _enter(bodies: Bodies, grid: SizeGrid, i: int) -> None:
+def enter(bodies: Bodies, grid: SizeGrid, i: int) -> None:
+    """Enter the discs of a particle into the grid."""
     for k in range(bodies.first[i], bodies.first[i + 1]):
         if bodies.full[k] > 0.0:
             put(grid, k, bodies.disc[k, 0], bodies.disc[k, 1])
 
 
 @kernel
+def leave(bodies: Bodies, grid: SizeGrid, i: int) -> None:
+    """Take the discs of a particle out of the grid."""
+    for k in range(bodies.first[i], bodies.first[i + 1]):
+        if bodies.full[k] > 0.0:
+            take(grid, k, bodies.disc[k, 0], bodies.disc[k, 1])
+
+
+@kernel
 def enter_bodies(bodies: Bodies, grid: SizeGrid, order: NDArray[np.int64]) -> None:
     """Enter the particles of `order` (m,), which have their places, into the grid, whatever they overlap."""
     for i in order:
-        _lay_out(
-            bodies,
-            grid.size,
-            i,
-            bodies.position[i, 0],
-            bodies.position[i, 1],
-            bodies.angle[i],
-            bodies.scale[i],
-        )
-        _enter(bodies, grid, i)
+        x, y = bodies.position[i, 0], bodies.position[i, 1]
+        lay_out(bodies, grid, i, x, y, bodies.angle[i], bodies.scale[i])
+        enter(bodies, grid, i)
 
 
 @kernel
@@ -139,10 +139,10 @@ def insert_bodies(
             break
         i = order[placed]
         x, y, angle = drawn[attempt, 0], drawn[attempt, 1], drawn[attempt, 2]
-        if _lay_out(bodies, grid.size, i, x, y, angle, scale) and _is_free(bodies, grid, walls, i, scale):
+        if lay_out(bodies, grid, i, x, y, angle, scale) and _is_free(bodies, grid, walls, i, scale):
             bodies.position[i, 0], bodies.position[i, 1] = x, y
             bodies.angle[i], bodies.scale[i] = angle, scale
-            _enter(bodies, grid, i)
+            enter(bodies, grid, i)
             placed += 1
     return placed
 
@@ -159,7 +159,7 @@ def _try(
     scale: float,
 ) -> bool:
     """Give a particle that is not in the grid another place, angle and scale if that is free."""
-    if not (_lay_out(bodies, grid.size, i, x, y, angle, scale) and _is_free(bodies, grid, walls, i, scale)):
+    if not (lay_out(bodies, grid, i, x, y, angle, scale) and _is_free(bodies, grid, walls, i, scale)):
         return False
     bodies.position[i, 0], bodies.position[i, 1] = x, y
     bodies.angle[i], bodies.scale[i] = angle, scale
@@ -192,9 +192,7 @@ def shake_bodies(
     moves, small = 0, 0
     for number in range(order.shape[0]):
         i = order[number]
-        for k in range(bodies.first[i], bodies.first[i + 1]):
-            if bodies.full[k] > 0.0:
-                take(grid, k, bodies.disc[k, 0], bodies.disc[k, 1])
+        leave(bodies, grid, i)
         x = bodies.position[i, 0] + step[i] * (2.0 * uniform[number, 0] - 1.0)
         y = bodies.position[i, 1] + step[i] * (2.0 * uniform[number, 1] - 1.0)
         angle = bodies.angle[i] + turn[i] * (2.0 * uniform[number, 2] - 1.0)
@@ -205,6 +203,6 @@ def shake_bodies(
             _try(bodies, grid, walls, i, x, y, angle, min(1.0, bodies.scale[i] * (1.0 + growth)))
             if bodies.scale[i] < 1.0:
                 small += 1
-        _lay_out(bodies, grid.size, i, x, y, angle, bodies.scale[i])
-        _enter(bodies, grid, i)
+        lay_out(bodies, grid, i, x, y, angle, bodies.scale[i])
+        enter(bodies, grid, i)
     return moves, small
