@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from gasbox.errors import Problem, ScenarioError
 from gasbox.geometry import Enclosure, Geometry
 from gasbox.initial.grid import empty_grid
-from gasbox.initial.molecule_overlaps import part_molecules
+from gasbox.initial.parting import part_molecules
 from gasbox.initial.walls import bounds, out_of_walls, worst_at_wall
 from gasbox.kernels.overlaps import SEPARATED, enter_all, push_apart, worst_pair
 from gasbox.state import State
