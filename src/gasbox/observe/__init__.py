@@ -22,10 +22,13 @@ from gasbox.observe.energy import (
     kinetic_energy,
     momentum,
     potential_energy,
+    rotational_temperature,
     species_temperature,
     temperature,
     thermal_energy,
     thermal_velocity,
+    translational_temperature,
+    vibrational_temperature,
 )
 from gasbox.observe.following import FollowsChanges
 from gasbox.observe.gauge import WallGauge, WallSeries
@@ -50,6 +53,13 @@ from gasbox.observe.pressure import (
     wall_pressure_error,
 )
 from gasbox.observe.profiles import Profile, ProfileAverage, Profiles
+from gasbox.observe.rotation import (
+    degrees_of_rotation,
+    degrees_of_vibration,
+    rotational_energies,
+    translational_energies,
+    vibrational_energies,
+)
 from gasbox.observe.series import Series, TimeSeries
 from gasbox.observe.sides import (
     Centers,
@@ -120,6 +130,8 @@ __all__ = [
     "common_accessible_area",
     "coordination",
     "degrees_of_freedom",
+    "degrees_of_rotation",
+    "degrees_of_vibration",
     "diffusion_coefficient",
     "energy_histogram",
     "enthalpy",
@@ -143,6 +155,8 @@ __all__ = [
     "phases",
     "potential_energy",
     "rms_speed",
+    "rotational_energies",
+    "rotational_temperature",
     "side_counts",
     "species_mean_free_path",
     "species_temperature",
@@ -152,6 +166,10 @@ __all__ = [
     "temperature",
     "thermal_energy",
     "thermal_velocity",
+    "translational_energies",
+    "translational_temperature",
+    "vibrational_energies",
+    "vibrational_temperature",
     "virial_pressure",
     "virial_pressure_error",
     "wall_pressure",

@@ -21,6 +21,13 @@ from numpy.typing import NDArray
 
 from gasbox.geometry import Geometry
 from gasbox.geometry.conserved import conserved_momentum, conserves_rotation
+from gasbox.observe.rotation import (
+    degrees_of_rotation,
+    degrees_of_vibration,
+    rotational_energies,
+    spins,
+    vibrational_energies,
+)
 from gasbox.state import State
 
 __all__ = [
@@ -31,16 +38,26 @@ __all__ = [
     "kinetic_energy",
     "momentum",
     "potential_energy",
+    "rotational_temperature",
     "species_temperature",
     "temperature",
     "thermal_energy",
     "thermal_velocity",
+    "translational_temperature",
+    "vibrational_temperature",
 ]
 
 
 def kinetic_energy(state: State) -> float:
-    """Kinetic energy of all particles [energy], as it stands in the box's own frame."""
-    return _energy(state.mass, state.velocity)
+    """Kinetic energy of all particles [energy], as it stands in the box's own frame; also within molecules."""
+    return _energy(state.mass, state.velocity) + _inner_energy(state)
+
+
+def _inner_energy(state: State, rate: float = 0.0) -> float:
+    """Kinetic energy of rotation, in a frame that turns at this rate [rad/time], and of vibration [energy]."""
+    if state.sites is None:
+        return 0.0
+    return float(np.sum(rotational_energies(state, rate)) + np.sum(vibrational_energies(state)))
 
 
 def potential_energy(state: State, geometry: Geometry) -> float:
@@ -76,9 +93,13 @@ def momentum(state: State) -> NDArray[np.float64]:
 
 
 def angular_momentum(state: State, center: tuple[float, float] = (0.0, 0.0)) -> float:
-    """Sum of m (r x v) about a point [mass·length²/time], counter-clockwise positive."""
+    """Sum of m (r x v) + I w about a point [mass·length²/time], counter-clockwise positive."""
     arm, velocity = state.position - center, state.velocity
-    return float(state.mass @ (arm[:, 0] * velocity[:, 1] - arm[:, 1] * velocity[:, 0]))
+    around = float(state.mass @ (arm[:, 0] * velocity[:, 1] - arm[:, 1] * velocity[:, 0]))
+    if state.sites is None:
+        return around
+    inertia, turning = spins(state)
+    return around + float(inertia @ turning)
 
 
 def thermal_energy(state: State, geometry: Geometry) -> float:
@@ -90,22 +111,55 @@ def thermal_energy(state: State, geometry: Geometry) -> float:
     drift = np.where(conserved, momentum(state) ** 2 / np.sum(state.mass), 0.0)
     if conserves_rotation(geometry) or np.any(drift > 0.5 * whole):
         # The difference would lose digits.
-        return _energy(state.mass, thermal_velocity(state, geometry))
-    return 0.5 * float(np.sum(whole - drift))
+        rate = rotation_rate(state, geometry) if conserves_rotation(geometry) else 0.0
+        return _energy(state.mass, thermal_velocity(state, geometry)) + _inner_energy(state, rate)
+    return 0.5 * float(np.sum(whole - drift)) + _inner_energy(state)
 
 
 def degrees_of_freedom(count: int, geometry: Geometry) -> int:
-    """Velocity components that share the energy: 2 a particle, less one for each conserved momentum."""
+    """Velocity components of the centres that share the energy: 2 a particle, less one for each conserved momentum."""
     conserved = int(np.count_nonzero(conserved_momentum(geometry))) + int(conserves_rotation(geometry))
     return max(2 * count - conserved, 0)
 
 
 def temperature(state: State, geometry: Geometry) -> float | None:
-    """T = 2K/f [energy]; None without degrees of freedom (no particle, or a single one in a periodic box)."""
+    """T = 2K/f [energy]; None without degrees of freedom (no particle, or a single disc in a periodic box).
+
+    Of molecules those of rotation and vibration count as well.
+    """
     freedom = degrees_of_freedom(state.count, geometry)
+    if state.sites is not None:
+        freedom += int(np.sum(degrees_of_rotation(state)) + np.sum(degrees_of_vibration(state)))
     if freedom == 0:
         return None
     return 2.0 * thermal_energy(state, geometry) / freedom
+
+
+def translational_temperature(state: State, geometry: Geometry) -> float | None:
+    """2K/f of the motion of the centres of mass alone [energy]; None without degrees of freedom."""
+    freedom = degrees_of_freedom(state.count, geometry)
+    if freedom == 0:
+        return None
+    return 2.0 * _energy(state.mass, thermal_velocity(state, geometry)) / freedom
+
+
+def rotational_temperature(state: State, geometry: Geometry, species: int | None = None) -> float | None:
+    """2K/f of the rotation of molecules [energy], of all or of one kind; None where nothing rotates."""
+    mine = np.ones(state.count, np.bool_) if species is None else state.species == species
+    freedom = int(np.sum(degrees_of_rotation(state)[mine]))
+    if freedom == 0:
+        return None
+    rate = rotation_rate(state, geometry) if conserves_rotation(geometry) else 0.0
+    return 2.0 * float(np.sum(rotational_energies(state, rate)[mine])) / freedom
+
+
+def vibrational_temperature(state: State, species: int | None = None) -> float | None:
+    """2K/f of the vibration of flexible molecules [energy], of all or of one kind; None where nothing vibrates."""
+    mine = np.ones(state.count, np.bool_) if species is None else state.species == species
+    freedom = int(np.sum(degrees_of_vibration(state)[mine]))
+    if freedom == 0:
+        return None
+    return 2.0 * float(np.sum(vibrational_energies(state)[mine])) / freedom
 
 
 def species_temperature(state: State, geometry: Geometry, species: int) -> float | None:
@@ -137,11 +191,18 @@ def thermal_velocity(state: State, geometry: Geometry) -> NDArray[np.float64]:
 
 def _rotation(state: State, geometry: Geometry) -> NDArray[np.float64]:
     """(n, 2) float64 [length/time]: velocities of a rigid body with the same angular momentum."""
+    arm = state.position - (0.5 * geometry.width, 0.5 * geometry.height)
+    return rotation_rate(state, geometry) * np.stack([-arm[:, 1], arm[:, 0]], axis=1)
+
+
+def rotation_rate(state: State, geometry: Geometry) -> float:
+    """Angular velocity [rad/time] of a rigid body with the same angular momentum about the middle."""
     center = (0.5 * geometry.width, 0.5 * geometry.height)
     arm = state.position - center
     inertia = float(state.mass @ np.sum(arm**2, axis=1))
-    rate = angular_momentum(state, center) / inertia if inertia > 0.0 else 0.0
-    return rate * np.stack([-arm[:, 1], arm[:, 0]], axis=1)
+    if state.sites is not None:
+        inertia += float(np.sum(spins(state)[0]))
+    return angular_momentum(state, center) / inertia if inertia > 0.0 else 0.0
 
 
 def _energy(mass: NDArray[np.float64], velocity: NDArray[np.float64]) -> float:
