@@ -8,7 +8,13 @@ import numpy as np
 
 from gasbox.app.sample import Sample
 from gasbox.app.window import Lately
-from gasbox.observe import kinetic_energy, temperature, virial_pressure, wall_pressure
+from gasbox.observe import (
+    kinetic_energy,
+    temperature,
+    translational_temperature,
+    virial_pressure,
+    wall_pressure,
+)
 from gasbox.theory import mixture
 
 __all__ = ["Figures", "figures"]
@@ -88,7 +94,7 @@ def _pressure(sample: Sample, lately: Lately, warmth: float | None) -> float | N
         geometry,
         _radii(sample),
         _counts(sample),
-        temperature=temperature(sample.state, sample.geometry),
+        temperature=translational_temperature(sample.state, sample.geometry),
         duration=lately.duration,
     )
 

@@ -42,6 +42,7 @@ from gasbox.observe.histograms import (
     speed_histogram,
 )
 from gasbox.observe.indicator import Indicator, IndicatorSeries
+from gasbox.observe.modes import ModeEnergies, Modes, ModeSeries, mode_energies
 from gasbox.observe.motion import center_of_mass, mean_speed, rms_speed
 from gasbox.observe.neighbours import Neighbours, coordination, hexatic, hexatic_order, neighbours
 from gasbox.observe.phases import Phase, phase_shares, phases
@@ -105,6 +106,9 @@ __all__ = [
     "Line",
     "MeanDisplacement",
     "MeanSquaredDisplacement",
+    "ModeEnergies",
+    "ModeSeries",
+    "Modes",
     "Neighbours",
     "PairDistribution",
     "Phase",
@@ -148,6 +152,7 @@ __all__ = [
     "mean_speed",
     "mixing",
     "mixing_entropy",
+    "mode_energies",
     "momentum",
     "neighbours",
     "passage_rates",

@@ -9,6 +9,9 @@ In a bare smooth circle the angular momentum L about the centre is conserved: th
 turns with L/I, I = sum m r² of the present positions, which leaves K - L²/(2I), and f = 2N - 1. There K is conserved,
 but with L the heat is not quite, since I fluctuates; of N discs by one part in N.
 
+A rigid molecule that rotates has one degree of freedom more, and its energy of rotation belongs to K; a flexible one
+of k sites has 2k in all (`gasbox.observe.rotation`). L and I hold the spins of molecules too.
+
 Gravity changes none of this: it acts on all discs alike, so velocities at one moment know nothing of it. It adds a
 potential energy -m g·x to each disc. Along a periodic direction there is no potential: gravity drives discs round and
 round there. Forces between discs add theirs, which the state holds.
@@ -104,22 +107,44 @@ def angular_momentum(state: State, center: tuple[float, float] = (0.0, 0.0)) -> 
 
 def thermal_energy(state: State, geometry: Geometry) -> float:
     """Kinetic energy [energy] without that of the drift, or rotation, that is conserved."""
+    flying = _flying_energy(state, geometry)
+    if state.sites is None:
+        return flying
+    return flying + _inner_energy(state, _frame_rate(state, geometry))
+
+
+def _flying_energy(state: State, geometry: Geometry) -> float:
+    """Thermal energy of the motion of the centres alone [energy]."""
     conserved = conserved_momentum(geometry)
     if state.count == 0 or not (np.any(conserved) or conserves_rotation(geometry)):
-        return kinetic_energy(state)
+        return _energy(state.mass, state.velocity)
     whole = state.mass @ state.velocity**2
     drift = np.where(conserved, momentum(state) ** 2 / np.sum(state.mass), 0.0)
     if conserves_rotation(geometry) or np.any(drift > 0.5 * whole):
         # The difference would lose digits.
-        rate = rotation_rate(state, geometry) if conserves_rotation(geometry) else 0.0
-        return _energy(state.mass, thermal_velocity(state, geometry)) + _inner_energy(state, rate)
-    return 0.5 * float(np.sum(whole - drift)) + _inner_energy(state)
+        return _energy(state.mass, thermal_velocity(state, geometry))
+    return 0.5 * float(np.sum(whole - drift))
 
 
-def degrees_of_freedom(count: int, geometry: Geometry) -> int:
-    """Velocity components of the centres that share the energy: 2 a particle, less one for each conserved momentum."""
+def _frame_rate(state: State, geometry: Geometry) -> float:
+    """Angular velocity of the frame in which heat is measured [rad/time]."""
+    return rotation_rate(state, geometry) if state.count and conserves_rotation(geometry) else 0.0
+
+
+def degrees_of_freedom(particles: State | int, geometry: Geometry) -> int:
+    """Velocities that share the energy: 2 a particle, 1 more if it rotates, less one for each conserved momentum.
+
+    A flexible molecule of k sites has 2k.
+
+    Parameters
+    ----------
+    particles : the gas; or their number, for the motion of their centres alone
+    """
+    moving = 2 * (particles.count if isinstance(particles, State) else particles)
+    if isinstance(particles, State):
+        moving += int(np.sum(degrees_of_rotation(particles)) + np.sum(degrees_of_vibration(particles)))
     conserved = int(np.count_nonzero(conserved_momentum(geometry))) + int(conserves_rotation(geometry))
-    return max(2 * count - conserved, 0)
+    return max(moving - conserved, 0)
 
 
 def temperature(state: State, geometry: Geometry) -> float | None:
@@ -127,9 +152,7 @@ def temperature(state: State, geometry: Geometry) -> float | None:
 
     Of molecules those of rotation and vibration count as well.
     """
-    freedom = degrees_of_freedom(state.count, geometry)
-    if state.sites is not None:
-        freedom += int(np.sum(degrees_of_rotation(state)) + np.sum(degrees_of_vibration(state)))
+    freedom = degrees_of_freedom(state, geometry)
     if freedom == 0:
         return None
     return 2.0 * thermal_energy(state, geometry) / freedom
@@ -140,7 +163,7 @@ def translational_temperature(state: State, geometry: Geometry) -> float | None:
     freedom = degrees_of_freedom(state.count, geometry)
     if freedom == 0:
         return None
-    return 2.0 * _energy(state.mass, thermal_velocity(state, geometry)) / freedom
+    return 2.0 * _flying_energy(state, geometry) / freedom
 
 
 def rotational_temperature(state: State, geometry: Geometry, species: int | None = None) -> float | None:
@@ -149,7 +172,7 @@ def rotational_temperature(state: State, geometry: Geometry, species: int | None
     freedom = int(np.sum(degrees_of_rotation(state)[mine]))
     if freedom == 0:
         return None
-    rate = rotation_rate(state, geometry) if conserves_rotation(geometry) else 0.0
+    rate = _frame_rate(state, geometry)
     return 2.0 * float(np.sum(rotational_energies(state, rate)[mine])) / freedom
 
 

@@ -124,9 +124,10 @@ class HeatingCurve:
 
     def _temperature(self, state: State, tallies: Tallies) -> float:
         """2/f times the mean kinetic energy since the last row; where nobody summed it, as it is now."""
-        now_at = float(tallies.measured_time[0]), float(tallies.kinetic_time[0])
+        within = float(tallies.rotational_time[0] + tallies.vibrational_time[0])
+        now_at = float(tallies.measured_time[0]), float(tallies.kinetic_time[0]) + within
         (time, before), self._before = self._before, now_at
-        freedom = degrees_of_freedom(state.count, self._geometry)
+        freedom = degrees_of_freedom(state, self._geometry)
         if self._rows and freedom and now_at[0] > time:
             return 2.0 * (now_at[1] - before) / (freedom * (now_at[0] - time))
         now = temperature(state, self._geometry)

@@ -96,11 +96,15 @@ def virial_pressure(
     Under forces K is not conserved, and a barostat changes the area: where the tallies hold their time integrals, T is
     2/f times the mean kinetic energy (of the gas at rest as a whole: a drift is not taken off), and A the mean area.
 
+    Of molecules the places, forces and velocities are those of their centres of mass, so that T is that of translation
+    alone. It fluctuates then without forces too, by T sqrt((1 - 2/f)/N) with f degrees of freedom each; in equilibrium
+    its mean is that of the whole gas.
+
     Parameters
     ----------
     change : what was added to the tallies meanwhile (later - earlier)
     radii, counts : (species,) [length], number of particles
-    temperature : T of the whole gas, as `gasbox.observe.temperature` gives it
+    temperature : as `gasbox.observe.translational_temperature` gives it; of discs this is T
     duration : [time]
 
     Returns
@@ -135,7 +139,8 @@ def virial_pressure_error(
 ) -> float | None:
     """Standard error of `virial_pressure` [mass/time²]: its collision part/sqrt(collisions), +- 20 %.
 
-    The ideal part has none, because T is conserved. Empirical, for area fractions of 0.05 to 0.65.
+    The ideal part has none, because T is conserved; of molecules that of translation fluctuates, and this is left out.
+    Empirical, for area fractions of 0.05 to 0.65.
     """
     area = common_accessible_area(geometry, radii, counts)
     collisions = int(np.sum(change.pair_collisions))

@@ -9,7 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.geometry import Geometry
-from gasbox.observe.energy import kinetic_energy, potential_energy, species_temperature, temperature
+from gasbox.observe.energy import (
+    kinetic_energy,
+    potential_energy,
+    species_temperature,
+    temperature,
+    translational_temperature,
+)
 from gasbox.observe.pressure import virial_pressure, wall_pressure
 from gasbox.state import Contacts, State, Tallies
 
@@ -77,7 +83,8 @@ class TimeSeries:
             return
         whole = _number(temperature(state, self._geometry))
         potential = potential_energy(state, self._geometry)
-        self._rows.append((state.time, kinetic_energy(state), whole, potential))
+        flight = _number(translational_temperature(state, self._geometry))
+        self._rows.append((state.time, kinetic_energy(state), whole, potential, flight))
         self._species_rows.append(
             [_number(species_temperature(state, self._geometry, s)) for s in range(self._radii.size)]
         )
@@ -87,7 +94,7 @@ class TimeSeries:
 
     def series(self, window: int = 1) -> Series:
         """Everything so far; pressures are measured over the `window` frames before (fewer at first)."""
-        time, energy, heat, potential = np.array(self._rows, dtype=np.float64).reshape(-1, 4).T
+        time, energy, heat, potential, _ = np.array(self._rows, dtype=np.float64).reshape(-1, 5).T
         pressures = [self._pressures(i, max(i - window, 0)) for i in range(time.size)]
         wall, virial = np.array(pressures, dtype=np.float64).reshape(-1, 2).T
         by_species = np.array(self._species_rows, dtype=np.float64).reshape(-1, self._radii.size)
@@ -96,8 +103,8 @@ class TimeSeries:
     def _pressures(self, later: int, earlier: int) -> tuple[float, float]:
         change = self._tallies[later] - self._tallies[earlier]
         duration = self._rows[later][0] - self._rows[earlier][0]
-        whole = self._rows[later][2]
-        heat = None if np.isnan(whole) else whole
+        flight = self._rows[later][4]
+        heat = None if np.isnan(flight) else flight
         geometry = self._mean_place(later, earlier)
         wall = wall_pressure(change, geometry, self._radii, duration)
         virial = virial_pressure(

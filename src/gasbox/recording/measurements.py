@@ -72,13 +72,13 @@ class Measurements:
         change, duration = frame.tallies - before[2], state.time - before[0]
         geometry = observe.between(self._geometry, before[1], state.wall_displacement)
         counts = np.bincount(state.species, minlength=self._radii.size)
-        temperature = observe.temperature(state, self._geometry)
+        flight = observe.translational_temperature(state, self._geometry)
         if not self._plain:
             walls = observe.wall_pressures(change, geometry, self._radii, duration)
         return {
             "pressure": observe.wall_pressure(change, geometry, self._radii, duration),
             "pressure_virial": observe.virial_pressure(
-                change, geometry, self._radii, counts, temperature=temperature, duration=duration
+                change, geometry, self._radii, counts, temperature=flight, duration=duration
             ),
             **({} if self._plain else {"wall_pressure": walls}),
         }

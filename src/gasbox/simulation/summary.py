@@ -63,7 +63,7 @@ def summary(simulation: Run) -> dict[str, Any]:
     seconds = simulation.wall_seconds
     size = radii(simulation.scenario)
     counts = np.bincount(state.species, minlength=size.size)
-    temperature = simulation.temperature()
+    flight = observe.translational_temperature(state, geometry)
     means = np.array([observe.mean_speed(state, k) or 0.0 for k in range(size.size)])
     return {
         "time": simulation.state.time,
@@ -76,10 +76,10 @@ def summary(simulation: Run) -> dict[str, Any]:
         "internal_energy": observe.internal_energy(state, geometry),
         "rest_energy": float(change.rest_energy[0]),
         "momentum": list(simulation.momentum()),
-        "temperature": temperature,
+        "temperature": simulation.temperature(),
         "pressure": simulation.pressure(),
         "pressure_virial": observe.virial_pressure(
-            change, here, size, counts, temperature=temperature, duration=duration
+            change, here, size, counts, temperature=flight, duration=duration
         ),
         "collision_rates": _rates(change, duration),
         "mean_free_path": observe.mean_free_path(change, counts, means, duration),
