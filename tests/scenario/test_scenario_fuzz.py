@@ -8,6 +8,7 @@ import pytest
 from forced_scenarios import FULL
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from molecule_scenarios import FLEXIBLE, FULL_OF_MOLECULES
 
 from gasbox.errors import FileError, ScenarioError, UsageError
 from gasbox.scenario import load, parse, shipped, with_settings
@@ -24,7 +25,8 @@ LEAVES = (
 )
 WORDS = """format seed container width height periodic shape species name radius count temperature velocities region
 particles position dynamics kind snapshot memory tallies time gravity histograms color $schema frame_interval
-forces thermostat barostat heating units lattice sigma epsilon charge cutoff pairs charges"""
+forces thermostat barostat heating units lattice sigma epsilon charge cutoff pairs charges
+molecules atoms bonds angles stiffness model scale inertia angle angular_velocity hydrogen"""
 KEYS = st.text(max_size=4) | st.sampled_from(WORDS.split())
 JSON = st.recursive(
     LEAVES, lambda inner: st.lists(inner, max_size=4) | st.dictionaries(KEYS, inner, max_size=5)
@@ -91,6 +93,14 @@ def test_shipped_scenarios_with_something_changed(name, data):
 def test_forces_with_something_changed(data):
     scenario = deepcopy(FULL)
     scenario["species"][0]["lattice"] = 1.1
+    change_something(scenario, data)
+    accepts_or_refuses(scenario)
+
+
+@settings(FUZZ, max_examples=400)
+@given(st.sampled_from([FULL_OF_MOLECULES, FLEXIBLE]), st.data())
+def test_molecules_with_something_changed(scenario, data):
+    scenario = deepcopy(scenario)
     change_something(scenario, data)
     accepts_or_refuses(scenario)
 

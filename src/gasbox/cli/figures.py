@@ -72,7 +72,7 @@ def _figure(recording: Recording, first: int, name: str) -> Figure:
     series = _series(recording.times, numbers)
     ideal, discs = _theory(recording, temperature)
     if name == "series":
-        species = [(entry.name, entry.color) for entry in scenario.species]
+        species = [(entry.name, entry.color) for entry in scenario.kinds]
         return series_figure(series, species, ideal, discs, scenario.title)
     more = _more(survey(recording, first), scenario, temperature) if _is_more_than_a_box(recording) else []
     if isinstance(scenario.dynamics, Forced):
@@ -125,7 +125,7 @@ def _panels(recording: Recording, frames: range, temperature: float | None) -> l
         average.observe(frame.state, frame.tallies)
     return [
         HistogramPanel(species.name, species.color, histogram, species.mass, temperature)
-        for species, histogram in zip(scenario.species, average.histograms(), strict=True)
+        for species, histogram in zip(scenario.kinds, average.histograms(), strict=True)
     ]
 
 
@@ -134,7 +134,7 @@ def _edges(scenario: Scenario, frame: Frame) -> list[NDArray[np.float64]]:
     wanted, geometry = scenario.histograms, scenario.geometry()
     ends = [
         wanted.maximum or automatic_maximum(frame.state, geometry, number, wanted.quantity)
-        for number in range(len(scenario.species))
+        for number in range(len(scenario.kinds))
     ]
     return [bin_edges(wanted.bins, wanted.minimum, max(end, wanted.minimum * 2)) for end in ends]
 
@@ -154,14 +154,15 @@ def _series(times: NDArray[np.float64], numbers: dict[str, NDArray[np.float64]])
 def _theory(recording: Recording, temperature: float | None) -> tuple[float | None, float | None]:
     """Pressure of an ideal gas and of hard discs [mass/time²], where one temperature and area say it.
 
-    Discs with forces are not hard; of them no law is drawn but the ideal one, and none where a barostat is at work.
+    Discs with forces are not hard, and molecules no discs: of them no law is drawn but the ideal one, and none where a
+    barostat is at work.
     """
     end = recording.read(-1)
     geometry = recording.geometry_at(-1)
     leaves = recording.read(0).state.count != end.state.count
     if temperature is None or any(geometry.gravity) or geometry.moves or leaves:
         return None, None
-    kinds = recording.scenario.species
+    kinds = recording.scenario.kinds
     gas = Mixture.of(
         np.bincount(end.state.species, minlength=len(kinds)),
         [species.mass for species in kinds],
@@ -171,4 +172,5 @@ def _theory(recording: Recording, temperature: float | None) -> tuple[float | No
     forced = isinstance(recording.scenario.dynamics, Forced)
     if forced and end.state.wall_displacement.size:
         return None, None
-    return ideal_pressure(gas, temperature), None if forced else pressure(gas, temperature)
+    hard = not forced and not any(kind.inertia for kind in kinds)
+    return ideal_pressure(gas, temperature), pressure(gas, temperature) if hard else None

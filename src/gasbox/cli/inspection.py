@@ -11,7 +11,7 @@ __all__ = ["describe", "particle_count", "try_start"]
 def particle_count(scenario: Scenario) -> int:
     """Number of particles at the start; in a snapshot the counts are history."""
     listed = 0 if scenario.particles is None else scenario.particles.count
-    placed = 0 if scenario.snapshot is not None else sum(species.count for species in scenario.species)
+    placed = 0 if scenario.snapshot is not None else sum(kind.count for kind in scenario.kinds)
     return listed + placed
 
 

@@ -55,7 +55,7 @@ def matter_panels(name: str, recording: Recording, first: int) -> list[Panel]:
     first : frame from which on g(r) is averaged
     """
     scenario = recording.scenario
-    kinds = [(entry.name, entry.color) for entry in scenario.species]
+    kinds = [(entry.name, entry.color) for entry in scenario.kinds]
     near, geometry, frames = neighbour_distance(scenario), recording.geometry_at(0), recording.frames
     match name:
         case "rdf" if recording.read(first).state.count > 1:
@@ -97,9 +97,10 @@ def matter_panels(name: str, recording: Recording, first: int) -> list[Panel]:
 
 
 def neighbour_distance(scenario: Scenario) -> float:
-    """Distance within which discs are neighbours [length]: 1.5 times the mean sigma, or diameter, of the species."""
+    """Distance within which discs are neighbours [length]: 1.5 times the mean sigma, or diameter, of all kinds."""
     sizes = [entry.sigma or 2.0 * entry.radius for entry in scenario.species]
-    counts = [entry.count for entry in scenario.species]
+    sizes += [2.0 * kind.half_width for kind in scenario.kinds[len(sizes) :]]
+    counts = [kind.count for kind in scenario.kinds]
     return _NEAR * float(np.average(sizes, weights=counts if any(counts) else None))
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gasbox import observe
 from gasbox.cli.matter import FIGURES_OF_MATTER
+from gasbox.cli.sticks import bonds_between
 from gasbox.cli.survey import Survey
 from gasbox.geometry import Enclosure, Geometry, Rectangle
 from gasbox.geometry.conserved import is_solid
@@ -55,15 +56,17 @@ def panels_of(name: str, scenario: Scenario, found: Survey, temperature: float |
     ----------
     temperature : mean over the frames that are averaged [energy]
     """
-    kinds = [(entry.name, entry.color) for entry in scenario.species]
+    kinds = [(entry.name, entry.color) for entry in scenario.kinds]
     match name:
         case "gas":
             last = found.last.state
-            return [partial(draw_gas, state=last, geometry=found.end, species=kinds)]
+            discs = [(entry.name, entry.color) for entry in scenario.site_kinds]
+            sticks = bonds_between(scenario, last)
+            return [partial(draw_gas, state=last, geometry=found.end, species=discs, sticks=sticks)]
         case "profiles" if found.profiles is not None:
-            points, discs = _laws(scenario, found, temperature)
+            points, hard = _laws(scenario, found, temperature)
             density = partial(
-                draw_density, profiles=found.profiles, species=kinds, barometric=points, hard_discs=discs
+                draw_density, profiles=found.profiles, species=kinds, barometric=points, hard_discs=hard
             )
             heat = partial(
                 draw_temperature_profile, profiles=found.profiles, species=kinds, temperature=temperature
@@ -127,14 +130,14 @@ def _laws(scenario: Scenario, found: Survey, temperature: float | None) -> tuple
     geometry, profiles = found.end.at(found.last.state.wall_displacement), found.profiles
     if temperature is None or profiles is None or not any(geometry.gravity):
         return [], []
-    counts = np.bincount(found.last.state.species, minlength=len(scenario.species))
+    counts = np.bincount(found.last.state.species, minlength=len(scenario.kinds))
     points = [
-        _barometric(geometry, float(entry.radius), entry.mass, int(count), temperature, profiles)
-        for entry, count in zip(scenario.species, counts, strict=True)
+        _barometric(geometry, entry.half_width, entry.mass, int(count), temperature, profiles)
+        for entry, count in zip(scenario.kinds, counts, strict=True)
     ]
-    if len(scenario.species) > 1 or not _is_bare_box(geometry):
+    if not _is_of_one_disc(scenario) or not _is_bare_box(geometry):
         return points, []
-    entry = scenario.species[0]
+    entry = scenario.kinds[0]
     return points, [_sediment(geometry, entry.radius, entry.mass, int(counts[0]), temperature, found.axis)]
 
 
@@ -186,14 +189,19 @@ def _is_bare_box(geometry: Geometry) -> bool:
     return not any(is_solid(wall) for wall in geometry.walls[4:]) and 0.0 in geometry.gravity
 
 
+def _is_of_one_disc(scenario: Scenario) -> bool:
+    """Whether there is one kind of particle, and it is a disc."""
+    return len(scenario.kinds) == 1 and scenario.kinds[0].inertia == 0.0
+
+
 def _adiabats(
     scenario: Scenario, found: Survey, temperature: float | None
 ) -> list[tuple[str, NDArray[np.float64], NDArray[np.float64]]]:
     """Slow changes of area from the first point on: without heat, and at one temperature. One species, no gravity."""
     diagram, state = found.diagram, found.last.state
-    if diagram is None or len(scenario.species) != 1 or any(found.start.gravity) or not state.count:
+    if diagram is None or not _is_of_one_disc(scenario) or any(found.start.gravity) or not state.count:
         return []
-    entry = scenario.species[0]
+    entry = scenario.kinds[0]
     warmth = found.book.kinetic[0] / state.count
     areas = np.linspace(float(np.min(diagram.area)), float(np.max(diagram.area)), 100)
     start = float(diagram.area[0])

@@ -57,8 +57,8 @@ class Survey:
 def survey(recording: Recording, first: int) -> Survey:
     """Read a recording; means are over frames from `first` on."""
     start, end = recording.geometry_at(0), recording.geometry_at(-1)
-    species = recording.scenario.species
-    radii, mass = (np.array([getattr(entry, name) for entry in species]) for name in ("radius", "mass"))
+    species = recording.scenario.kinds
+    radii, mass = (np.array([getattr(entry, name) for entry in species]) for name in ("half_width", "mass"))
     since = float(recording.times[first])
     pull = start.gravity if any(start.gravity) else end.gravity
     axis: Literal["x", "y"] = "x" if abs(pull[0]) > abs(pull[1]) else "y"

@@ -70,7 +70,9 @@ def _along_rim(discs: NDArray[np.float64], number: int) -> float:
     x, y, r = discs[number]
     others = np.delete(discs, number, axis=0)
     distance = np.hypot(others[:, 0] - x, others[:, 1] - y)
-    if np.any(distance + r <= others[:, 2]):
+    # Of two that cover each other, as rounding has it, the first one counts.
+    first = np.arange(len(others)) < number
+    if np.any((distance + r <= others[:, 2]) & (first | (others[:, 2] > r))):
         return 0.0
     near = (distance < r + others[:, 2]) & (distance + others[:, 2] > r)
     cosine = (distance[near] ** 2 + r**2 - others[near, 2] ** 2) / (2.0 * distance[near] * r)

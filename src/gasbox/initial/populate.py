@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from gasbox.initial.molecules import place_all, sites_of
+from gasbox.initial.molecules import place_all
 from gasbox.initial.velocities import draw_rotation, draw_velocities
-from gasbox.scenario import Scenario
+from gasbox.scenario import Scenario, sites_of
 from gasbox.state import State
 
 __all__ = ["populate"]

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import EllipseCollection
+from matplotlib.collections import EllipseCollection, LineCollection
 from matplotlib.patches import Circle as Round
 from matplotlib.patches import Patch
 from matplotlib.patches import Polygon as Filled
@@ -28,7 +28,7 @@ from gasbox.geometry import (
 )
 from gasbox.plots.panels import Species
 from gasbox.plots.style import GRID, INK, QUIET, label
-from gasbox.state import State
+from gasbox.state import Sites, State
 
 __all__ = ["draw_gas"]
 
@@ -42,6 +42,7 @@ def draw_gas(
     species: Species,
     title: str = "",
     groups: NDArray[np.int8] | None = None,
+    sticks: NDArray[np.int64] | None = None,
 ) -> None:
     """All discs at one moment, in their surroundings.
 
@@ -50,22 +51,36 @@ def draw_gas(
     Parameters
     ----------
     geometry : at the time of the state; its walls are displaced here
-    species : name and colour of each
-    groups : (n,) of what else discs are coloured by; then `species` has their names and colours
+    species : name and colour of each; where there are molecules, of each kind of site
+    groups : (n,) of what else particles are coloured by; then `species` has their names and colours
+    sticks : (k, 2) rows of sites that are bonded; None for no bonds
     """
     here = geometry.at(state.wall_displacement)
     _draw_container(axes, here)
     if isinstance(here, Enclosure):
         for number in range(len(here.obstacles)):
             _draw_obstacle(axes, here, number)
-    _draw_discs(axes, state, species, state.species if groups is None else groups)
+    if state.sites is None:
+        _draw_discs(axes, state, species, state.species if groups is None else groups)
+    else:
+        _draw_bonds(axes, state.sites, sticks)
+        _draw_discs(
+            axes, state.sites, species, state.sites.species if groups is None else groups[state.sites.owner]
+        )
     _fit(axes, here, state)
     axes.set_title(title or f"time {state.time:g}", color=INK, fontsize=10, fontweight="bold")
     axes.set_xlabel(label("x", "position"), color=INK, fontsize=9)
     axes.set_ylabel(label("y", "position"), color=INK, fontsize=9)
 
 
-def _draw_discs(axes: Axes, state: State, kinds: Species, groups: NDArray[Any]) -> None:
+def _draw_bonds(axes: Axes, sites: Sites, sticks: NDArray[np.int64] | None) -> None:
+    if sticks is not None and len(sticks):
+        axes.add_collection(
+            LineCollection(list(sites.position[sticks]), colors=QUIET, linewidths=1.2, zorder=0.5)
+        )
+
+
+def _draw_discs(axes: Axes, state: State | Sites, kinds: Species, groups: NDArray[Any]) -> None:
     for number, (_, color) in enumerate(kinds):
         mine = groups == number
         if not np.any(mine):

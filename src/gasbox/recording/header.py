@@ -55,6 +55,6 @@ def _origin(file: h5py.File, scenario: Scenario) -> None:
     own.attrs["version"] = __version__
     own.attrs["seed"] = np.int64(scenario.seed)
     own.attrs["scenario_hash"] = scenario.hash()
-    own.attrs["species"] = json.dumps([species.name for species in scenario.species])
+    own.attrs["species"] = json.dumps([kind.name for kind in scenario.kinds])
     own.create_dataset("scenario", data=scenario.to_json(), dtype=h5py.string_dtype())
     file.create_dataset(places.CHANGES, shape=(0,), maxshape=(None,), dtype=h5py.string_dtype())

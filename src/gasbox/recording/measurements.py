@@ -26,7 +26,7 @@ class Measurements:
         self._forced = isinstance(scenario.dynamics, Forced)
         bare = isinstance(self._geometry, Rectangle) and not scenario.schedule
         self._plain = bare and not self._forced
-        self._radii = np.array([species.radius for species in scenario.species])
+        self._radii = np.array([kind.half_width for kind in scenario.kinds])
         self._before: tuple[float, NDArray[np.float64], Tallies] | None = None
 
     def of(self, frame: Frame, geometry: Geometry | None = None) -> dict[str, ArrayLike | None]:

@@ -9,6 +9,9 @@ from __future__ import annotations
 from typing import Final
 
 __all__ = [
+    "ATOMS",
+    "ATOM_FIELDS",
+    "BONDS",
     "CHANGES",
     "CHANGES_MADE",
     "EDGES",
@@ -25,6 +28,7 @@ __all__ = [
     "PARTICLES",
     "ROSTER",
     "TALLIES",
+    "TURNED",
     "WALLS",
     "WALL_FIELDS",
 ]
@@ -54,8 +58,17 @@ FORCE_FIELDS: Final = ("potential", "virial")
 
 EVERY_FRAME: Final = ("position", "velocity")
 """Particle fields with a row for each frame."""
+TURNED: Final = ("angle", "angular_velocity")
+"""The same where there are molecules."""
 ROSTER: Final = ("id", "species", "mass", "radius")
 """Particle fields with a new row only when one of them changes; a row holds until the next."""
+
+ATOMS: Final = "particles/atoms"
+"""The discs of a gas with flexible molecules; those of rigid ones follow from angle and scenario."""
+ATOM_FIELDS: Final = ("species", "mass", "radius")
+"""Of a disc, with a new row only when one of them changes."""
+BONDS: Final = "connectivity/bonds"
+"""Rows of the atoms that are bonded."""
 
 CHANGES: Final = f"{OWN}/changes"
 """One JSON text for each change of gravity or of a wall while the gas ran, as entries of a scenario's schedule."""

@@ -14,18 +14,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from gasbox.recording import places
+from gasbox.recording.atoms import atoms, has_atoms, write_bonds
 from gasbox.recording.complaints import refuse_foreign, refuse_full_disk, writing
 from gasbox.recording.elements import Elements
 from gasbox.recording.header import may_grow, write_header
 from gasbox.scenario import Scenario, ScheduledChange
-from gasbox.state import FIELDS, Change, Frame, State
+from gasbox.state import FIELDS, ROTATION, Change, Frame, State
 from gasbox.units import UNIT
 
 __all__ = ["Recorder"]
 
 _WAITING_BYTES: Final = 2**26
 _UNITS: Final = {
-    **{f"{places.PARTICLES}/{field.name}": field.unit for field in FIELDS},
+    **{f"{places.PARTICLES}/{field.name}": field.unit for field in (*FIELDS, *ROTATION)},
+    **{f"{places.ATOMS}/{field.name}": field.unit for field in FIELDS},
     f"{places.WALLS}/displacement": UNIT["position"],
     f"{places.WALLS}/velocity": UNIT["velocity"],
     **{f"{places.FORCES}/{name}": UNIT["energy"] for name in places.FORCE_FIELDS},
@@ -33,6 +35,7 @@ _UNITS: Final = {
 }
 _FILLS: Final[dict[str, float]] = {
     f"{places.PARTICLES}/id": places.NO_PARTICLE,
+    f"{places.ATOMS}/molecule": places.NO_PARTICLE,
     **{f"{places.WALLS}/{name}": math.nan for name in places.WALL_FIELDS},
 }
 _OPTIONAL: Final = (f"{places.MEMORY}/", f"{places.LENGTHS}/", f"{places.WALLS}/", f"{places.FORCES}/")
@@ -68,6 +71,7 @@ class Recorder:
         self._flush_frames = flush_frames
         self._flushed_at = -math.inf
         self._failed = False
+        self._scenario = scenario
         self._box = scenario.geometry() if may_grow(scenario) else None
         self._last_number = -1
         self._roster: State | None = None
@@ -140,8 +144,14 @@ class Recorder:
         number, state = frame.number, frame.state
         if self._roster is None or not _is_same_roster(self._roster, state):
             self._roster = state.copy()
-            values = {f"{places.PARTICLES}/{name}": getattr(state, name) for name in places.ROSTER}
+            values: dict[str, ArrayLike] = {
+                f"{places.PARTICLES}/{name}": getattr(state, name) for name in places.ROSTER
+            }
+            if has_atoms(state):
+                values |= atoms(state)
             self._rosters.append(number, state.time, values, _FILLS, _UNITS)
+            if has_atoms(state) and not self.frames:
+                write_bonds(self._file, self._scenario, state)
         sample = _sample(frame, observables)
         if self._box is not None:
             sample[places.EDGES] = self._box.at(state.wall_displacement).size
@@ -187,6 +197,11 @@ def _is_same_roster(first: State, second: State) -> bool:
 def _sample(frame: Frame, observables: Mapping[str, ArrayLike | None]) -> dict[str, Any]:
     """Path -> value of everything that has a row for each frame."""
     values = {f"{places.PARTICLES}/{name}": getattr(frame.state, name) for name in places.EVERY_FRAME}
+    if frame.state.sites is not None:
+        values |= {f"{places.PARTICLES}/{name}": getattr(frame.state, name) for name in places.TURNED}
+        if has_atoms(frame.state):
+            sites = frame.state.sites
+            values |= {f"{places.ATOMS}/{name}": getattr(sites, name) for name in places.EVERY_FRAME}
     if frame.state.wall_displacement.size:
         for name, field in places.WALL_FIELDS.items():
             values[f"{places.WALLS}/{name}"] = getattr(frame.state, field)

@@ -14,7 +14,7 @@ from gasbox.errors import FileError, ScenarioError
 from gasbox.geometry import Geometry
 from gasbox.recording import places
 from gasbox.recording.complaints import is_hdf5, reading
-from gasbox.scenario import Particles, Scenario, ScheduledChange, parse
+from gasbox.scenario import Particles, Scenario, ScheduledChange, parse, sites_of
 from gasbox.state import Change, Control, Frame, State, Tallies
 
 __all__ = ["Recording", "open_recording"]
@@ -88,9 +88,10 @@ class Recording:
         frame = self.read(index)
         state = frame.state
         with reading(self.path):
-            names = [species.name for species in self.scenario.species]
+            names = [kind.name for kind in self.scenario.kinds]
             species = [names[number] for number in state.species]
             tallies = {name: sums.tolist() for name, sums in vars(frame.tallies).items()}
+            turned = {} if state.sites is None else {name: getattr(state, name) for name in places.TURNED}
             memory: dict[str, Any] = {"memory": frame.memory, "tallies": tallies}
             if not np.array_equal(state.id, np.arange(state.count)):
                 # Some have left; the others keep their numbers.
@@ -103,7 +104,7 @@ class Recording:
             return parse(
                 {
                     **self.scenario.model_copy(update={"particles": None, "snapshot": None}).to_dict(),
-                    "particles": Particles.of(species, state.position, state.velocity),
+                    "particles": Particles.of(species, state.position, state.velocity, **turned),
                     "snapshot": {"version": self.version, "time": state.time, **memory},
                 },
                 source=f"frame {index} of {self.path}",
@@ -178,7 +179,10 @@ class Recording:
     def _elements(self) -> list[h5py.Group]:
         """All elements that have a row for each frame."""
         particles = self._file[places.PARTICLES]
-        found = [particles[name] for name in places.EVERY_FRAME if name in particles]
+        every = (*places.EVERY_FRAME, *places.TURNED)
+        found = [particles[name] for name in every if name in particles]
+        discs = self._file.get(places.ATOMS, {})
+        found += [discs[name] for name in places.EVERY_FRAME if name in discs]
         found += [self._file[places.CHANGES_MADE]] if places.CHANGES_MADE in self._file else []
         several = (places.TALLIES, places.MEMORY, places.LENGTHS, places.WALLS, places.FORCES)
         for path in (*several, places.OBSERVABLES):
@@ -203,6 +207,8 @@ class Recording:
         count = int(np.count_nonzero(there))
         vectors = {name: group[name]["value"][row, :count] for name in places.EVERY_FRAME}
         state = State(time=time, **roster, **vectors)
+        if self.scenario.molecules:
+            self._turn(state, row)
         for name, field in places.WALL_FIELDS.items():
             found = self._values(places.WALLS, row).get(name)
             # Before the first wall has moved there is nothing.
@@ -211,6 +217,18 @@ class Recording:
         for name, found in self._values(places.FORCES, row).items():
             setattr(state, name, float(found))
         return state
+
+    def _turn(self, state: State, row: int) -> None:
+        """Give the particles their angles and their discs."""
+        group, kinds = self._file[places.PARTICLES], self.scenario.kinds
+        for name in places.TURNED:
+            setattr(state, name, group[name]["value"][row, : state.count])
+        state.inertia = np.array([kind.inertia for kind in kinds])[state.species]
+        state.sites = sites_of(self.scenario, state.species)
+        state.turn_sites()
+        if places.ATOMS in self._file:
+            for name in places.EVERY_FRAME:
+                setattr(state.sites, name, self._file[places.ATOMS][name]["value"][row, : state.sites.count])
 
     def _tallies(self, row: int) -> Tallies:
         """Sums that a recording of version 0.1 does not have yet are zero."""

@@ -30,6 +30,7 @@ from gasbox.scenario.reading import load, parse, shipped
 from gasbox.scenario.scenario import Scenario
 from gasbox.scenario.schedule import ScheduledChange
 from gasbox.scenario.settings import with_settings
+from gasbox.scenario.sites import sites_of
 from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Region, Species
 from gasbox.scenario.units import Units
@@ -80,6 +81,7 @@ __all__ = [
     "parse",
     "schema",
     "shipped",
+    "sites_of",
     "starting_temperature",
     "with_settings",
 ]

@@ -22,8 +22,8 @@ class _Element(NamedTuple):
 
 
 _ELEMENTS: Final = {
-    "H": _Element(1.008, 1.10, "#b9c4d0"),
-    "C": _Element(12.011, 1.70, "#6b7280"),
+    "H": _Element(1.008, 1.10, "#8a96a1"),
+    "C": _Element(12.011, 1.70, "#686764"),
     "N": _Element(14.007, 1.55, "#4c7be8"),
     "O": _Element(15.999, 1.52, "#e2504a"),
 }
@@ -33,8 +33,8 @@ _Part = tuple[str, float, float, float]
 
 
 def _water() -> tuple[_Part, ...]:
-    half = math.radians(104.48 / 2)
-    x, y = 0.9584 * math.sin(half), 0.9584 * math.cos(half)
+    half = math.radians(104.51 / 2)
+    x, y = 0.9575 * math.sin(half), 0.9575 * math.cos(half)
     return ("O", 0.0, 0.0, -0.82), ("H", -x, -y, 0.41), ("H", x, -y, 0.41)
 
 

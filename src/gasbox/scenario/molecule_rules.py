@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
+import numpy as np
+
 from gasbox.errors import Problem
 from gasbox.scenario.dynamics import Forced
 from gasbox.scenario.kinds import anatomy
@@ -17,6 +19,9 @@ from gasbox.scenario.values import LARGEST_SPECIES
 __all__ = ["molecule_problems"]
 
 _OF_DISCS: Final = ("mass", "radius", "epsilon", "sigma", "charge")
+_OF_ROTATION: Final = ("rotational_temperature", "angular_speed", "inertia")
+_ROWS: Final = 10
+"""Of wrong rows, so many are named."""
 
 
 def molecule_problems(parts: Parts) -> Iterator[Problem]:
@@ -27,6 +32,7 @@ def molecule_problems(parts: Parts) -> Iterator[Problem]:
     for number, molecule in enumerate(parts.molecules):
         if molecule is not None:
             yield from _molecule(f"molecules[{number}]", molecule, parts)
+    yield from _turned_discs(parts)
     total = len(parts.species) + sum(len(entry.atoms) or 5 for entry in parts.molecules if entry is not None)
     if total > LARGEST_SPECIES:
         yield Problem("molecules", f"{total} kinds of disc in all", f"at most {LARGEST_SPECIES}")
@@ -56,7 +62,8 @@ def _molecule(path: str, molecule: Molecule, parts: Parts) -> Iterator[Problem]:
     atoms, bonds = anatomy(molecule)
     for number, atom in enumerate(atoms):
         yield from _atom(f"{path}.atoms[{number}]", atom, parts.species)
-    yield from _velocities(path, molecule)
+    turns = len({atom.position for atom in atoms}) > 1
+    yield from _motion(path, molecule, turns)
     yield from _bonds(path, molecule, len(atoms), bonds, parts)
     charged = parts.forces is not None and parts.forces.charges is not None
     for number, atom in enumerate(molecule.atoms):
@@ -79,13 +86,17 @@ def _atom(path: str, atom: Atom, species: tuple[Species | None, ...]) -> Iterato
             yield Problem(f"{path}.{key}", f"{getattr(atom, key):g}", "the species says it already")
 
 
-def _velocities(path: str, molecule: Molecule) -> Iterator[Problem]:
+def _motion(path: str, molecule: Molecule, turns: bool) -> Iterator[Problem]:
     given = [key for key in ("temperature", "speed") if getattr(molecule, key) is not None]
     if len(given) > 1:
         yield Problem(path, " and ".join(given), "only one of temperature, speed")
     elif not given and molecule.count > 0:
         allowed = f"{molecule.count} molecules need velocities: give one of temperature, speed"
         yield Problem(path, "none of them", allowed)
+    for key in _OF_ROTATION:
+        if getattr(molecule, key) is not None and not turns:
+            allowed = "goes with molecules of more than one atom, which rotate"
+            yield Problem(f"{path}.{key}", f"{getattr(molecule, key):g}", allowed)
     if molecule.rotational_temperature is not None and molecule.angular_speed is not None:
         allowed = "only one of rotational_temperature, angular_speed"
         yield Problem(path, "rotational_temperature and angular_speed", allowed)
@@ -98,11 +109,16 @@ def _bonds(
         (f"{path}.bonds[{n}].atoms", bond.atoms) for n, bond in enumerate(bonds)
     ]
     sections += [(f"{path}.angles[{n}].atoms", bend.atoms) for n, bend in enumerate(molecule.angles)]
-    wrong = False
+    wrong, first = False, dict[tuple[int, ...], str]()
     for place, members in sections:
         if max(members) >= atoms or len(set(members)) < len(members):
             wrong = True
             yield Problem(place, short(list(members)), f"must be different atoms, from 0 to {atoms - 1}")
+            continue
+        one = (min(members), *members[1:-1], max(members))
+        if one in first:
+            yield Problem(place, short(list(members)), f"each only once; {first[one]} has it already")
+        first.setdefault(one, place)
     elastic = [bond.stiffness is not None for bond in bonds]
     if wrong or not any(elastic):
         if molecule.angles and not wrong:
@@ -112,6 +128,7 @@ def _bonds(
         number = elastic.index(False)
         allowed = "is required: either all bonds are elastic, or the molecule is rigid"
         yield Problem(f"{path}.bonds[{number}].stiffness", "nothing", allowed)
+    yield from _at_one_place(path, molecule, bonds)
     if not _connected(atoms, bonds):
         yield Problem(
             f"{path}.bonds", "atoms that no bond holds", "bonds must connect all atoms of the molecule"
@@ -123,6 +140,33 @@ def _bonds(
     if parts.dynamics is not None and not isinstance(parts.dynamics, Forced):
         found = f"dynamics of kind {short(parts.dynamics.kind)}"
         yield Problem(f"{path}.bonds", found, 'elastic bonds need dynamics kind "forced"')
+
+
+def _at_one_place(path: str, molecule: Molecule, bonds: tuple[Bond, ...]) -> Iterator[Problem]:
+    """Atoms between which there is no direction in which a bond could pull."""
+    places = [atom.position for atom in anatomy(molecule)[0]]
+    for number, bond in enumerate(bonds):
+        if len({places[atom] for atom in bond.atoms}) < 2:
+            allowed = "atoms that a bond holds apart stand at different places"
+            yield Problem(f"{path}.bonds[{number}].atoms", short(list(bond.atoms)), allowed)
+    for number, bend in enumerate(molecule.angles):
+        one, middle, other = (places[atom] for atom in bend.atoms)
+        if middle in (one, other):
+            allowed = "an angle is between atoms at different places"
+            yield Problem(f"{path}.angles[{number}].atoms", short(list(bend.atoms)), allowed)
+
+
+def _turned_discs(parts: Parts) -> Iterator[Problem]:
+    """Listed particles that are no molecules and yet turned."""
+    listed = parts.particles
+    if listed is None or parts.names is None:
+        return
+    turning = {kind.name for kind in parts.kinds() if kind.inertia > 0.0}
+    still = np.array([name not in turning for name in listed.names], np.bool_)[listed.index]
+    for key, values in zip(("angle", "angular_velocity"), listed.rotation(), strict=True):
+        for row in np.flatnonzero(still & (values != 0.0))[:_ROWS].tolist():
+            allowed = "goes with molecules of more than one atom, which rotate"
+            yield Problem(listed.path(row, key), f"{values[row]:g}", allowed)
 
 
 def _connected(atoms: int, bonds: tuple[Bond, ...]) -> bool:
