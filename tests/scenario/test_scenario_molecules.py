@@ -61,7 +61,7 @@ def test_kinds_follow_from_the_atoms():
     # Three unit discs side by side: the outer ones cover a lens of the middle one, twice.
     lens = 2 * math.pi / 3 - math.sqrt(3) / 2
     assert stick.area == pytest.approx(3 * math.pi - 2 * lens)
-    assert stick.half_width == pytest.approx(1 + 2 / math.pi)
+    assert stick.half_width == pytest.approx(1 + 2 / math.pi, rel=1e-5)
 
 
 def test_angles_at_rest_are_those_of_the_atoms():

@@ -19,7 +19,7 @@ from gasbox.scenario.parts import Parts
 from gasbox.scenario.schedule import ScheduledChange
 from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Species
-from gasbox.scenario.values import Section
+from gasbox.scenario.values import GREATEST, LEAST, Section
 from gasbox.scenario.walls import WallSettings
 
 __all__ = ["valid_parts"]
@@ -40,7 +40,7 @@ def valid_parts(data: Mapping[str, Any], particles: Particles | None) -> Parts:
         tuple(_one(Species, entry) for entry in _list(data.get("species"))),
         particles,
         EventDriven() if dynamics is None else _of_kind("kind", KINDS, dynamics),
-        interval if isinstance(interval, float | int) and 0 < interval < float("inf") else None,
+        interval if isinstance(interval, float | int) and LEAST <= interval <= GREATEST else None,
         _one(Histograms, data.get("histograms", {})),
         _one(Snapshot, data.get("snapshot")),
         {str(name): _one(WallSettings, entry) for name, entry in _object(data.get("walls")).items()},
