@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from gasbox.scenario import Scenario, Stepped
+from gasbox.scenario import Kind, Scenario, Stepped
 from gasbox.scenario.container import CircleContainer, PolygonContainer, RectangleContainer
 
-__all__ = ["describe", "particle_count", "try_start"]
+__all__ = ["describe", "describe_molecules", "particle_count", "try_start"]
 
 
 def particle_count(scenario: Scenario) -> int:
@@ -22,11 +22,36 @@ def describe(scenario: Scenario) -> str:
         if scenario.snapshot is None
         else f"a good snapshot at time {scenario.snapshot.time:g}"
     )
-    count, kinds = particle_count(scenario), len(scenario.species)
+    count = particle_count(scenario)
     return (
-        f"{what}: {count} particle{'s' * (count != 1)} of {kinds} species in {_surroundings(scenario)}, "
+        f"{what}: {count} particle{'s' * (count != 1)} of {_kinds(scenario)} in {_surroundings(scenario)}, "
         f"{scenario.dynamics.kind}"
     )
+
+
+def _kinds(scenario: Scenario) -> str:
+    discs, molecules = len(scenario.species), len(scenario.molecules)
+    if not molecules:
+        return f"{discs} species"
+    kinds = f"{molecules} kind{'s' * (molecules != 1)} of molecule"
+    return f"{discs} species and {kinds}" if discs else kinds
+
+
+def describe_molecules(scenario: Scenario) -> list[str]:
+    """One line for each kind of molecule: its atoms, and what follows from them."""
+    return [_molecule(kind) for kind in scenario.kinds if kind.is_molecule]
+
+
+def _molecule(kind: Kind) -> str:
+    atoms = len(kind.sites)
+    said = [f"{atoms} atom{'s' * (atoms != 1)}", f"mass {kind.mass:g}", f"area {kind.area:.4g}"]
+    said.append(f"reaches {kind.radius:.4g} from its centre of mass")
+    freedom = 2
+    if kind.inertia > 0.0:
+        said.append(f"moment of inertia {kind.inertia:.4g}")
+        freedom = 2 * atoms if kind.flexible else 3
+    shape = "flexible, " if kind.flexible else "rigid, " if kind.inertia > 0.0 else ""
+    return f"{kind.name}: {', '.join(said)}; {shape}{freedom} degrees of freedom"
 
 
 def _surroundings(scenario: Scenario) -> str:
@@ -59,14 +84,15 @@ def _container(scenario: Scenario) -> str:
 
 
 def try_start(scenario: Scenario) -> None:
-    """Start the gas where only that can show that it is good: listed particles may overlap.
+    """Start the gas where only that can show that it is good: listed particles may overlap, molecules find no room.
 
     Raises
     ------
     ScenarioError
-        Discs overlap, and the dynamics knows no overlaps.
+        Discs overlap, and the dynamics knows no overlaps; or there is no room for so many molecules.
     """
-    if scenario.particles is None or scenario.snapshot is not None or isinstance(scenario.dynamics, Stepped):
+    listed = scenario.particles is not None and not isinstance(scenario.dynamics, Stepped)
+    if scenario.snapshot is not None or not (listed or scenario.molecules):
         return
     from gasbox.cli.progress import compile_first
     from gasbox.cli.report import warn

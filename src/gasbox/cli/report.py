@@ -28,6 +28,9 @@ _ROWS = (
     ("rest_energy", "given by the rule for rest", UNIT["energy"]),
     ("momentum", "momentum", UNIT["momentum"]),
     ("temperature", "temperature", UNIT["temperature"]),
+    ("temperature_translational", "temperature of flight", UNIT["temperature"]),
+    ("temperature_rotational", "temperature of rotation", UNIT["temperature"]),
+    ("temperature_vibrational", "temperature of vibration", UNIT["temperature"]),
     ("pressure", "pressure on the walls", UNIT["pressure"]),
     ("pressure_virial", "pressure by the virial", UNIT["pressure"]),
     ("mean_free_path", "mean free path", UNIT["position"]),
@@ -47,6 +50,13 @@ _SPECIES = (
 _SIDES: Final = frozenset({"left", "right", "bottom", "top"})
 _UNLESS_ZERO: Final = frozenset({"potential_energy", "internal_energy", "rest_energy"})
 """Rows that say nothing in a plain box."""
+_UNLESS_NONE: Final = frozenset({"temperature_rotational", "temperature_vibrational"})
+"""Rows of molecules, which may be stiff, or of one atom."""
+_OF_MOLECULES: Final = (
+    ("temperature_rotational", "of rotation"),
+    ("temperature_vibrational", "of vibration"),
+)
+"""Columns of which those are shown in which something stands."""
 
 
 def warn(warnings: Iterable[str]) -> None:
@@ -65,12 +75,20 @@ def print_summary(summary: dict[str, Any], title: str) -> None:
     console = Console(highlight=False)
     table = Table(title=escape(title) or None, title_justify="left", show_header=False)
     for name, meaning, unit in _ROWS:
+        if name in _UNLESS_NONE and summary.get(name) is None:
+            continue
         if name in summary and (name not in _UNLESS_ZERO or _has_more_energy(summary)):
             table.add_row(meaning, _text(summary[name]), unit)
     console.print(table)
-    species = Table("species", *(meaning for _, meaning in _SPECIES))
+    shown = [
+        column
+        for column in _OF_MOLECULES
+        if any(entry.get(column[0]) is not None for entry in summary["species"])
+    ]
+    columns = [*_SPECIES[:2], *shown, *_SPECIES[2:]]
+    species = Table("species", *(meaning for _, meaning in columns))
     for entry in summary["species"]:
-        species.add_row(escape(entry["name"]), *(_text(entry[name]) for name, _ in _SPECIES))
+        species.add_row(escape(entry["name"]), *(_text(entry[name]) for name, _ in columns))
     console.print(species)
     if _is_more_than_a_box(summary):
         console.print(_walls(summary["walls"], [entry["name"] for entry in summary["species"]]))

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from gasbox import observe
 from gasbox.geometry import Geometry, Rectangle
 from gasbox.scenario import Forced, Scenario
-from gasbox.state import Frame, Tallies
+from gasbox.state import Frame, State, Tallies
 
 __all__ = ["Measurements"]
 
@@ -51,6 +51,8 @@ class Measurements:
             "collisions": int(frame.tallies.pair_collisions.sum()),
             "wall_collisions": int(frame.tallies.wall_collisions.sum()),
         }
+        if state.sites is not None:
+            numbers |= self._temperatures(state)
         if not self._plain:
             here = geometry.at(state.wall_displacement)
             numbers |= {"potential_energy": observe.potential_energy(state, geometry), "area": here.area}
@@ -58,6 +60,19 @@ class Measurements:
             sums = ("thermostat_heat", "heater_heat", "barostat_work")
             numbers |= {"virial": state.virial, **{name: getattr(frame.tallies, name)[0] for name in sums}}
         return {**numbers, **self._pressures(frame)}
+
+    def _temperatures(self, state: State) -> dict[str, ArrayLike | None]:
+        """Of the motions of molecules."""
+        kinds = range(self._radii.size)
+        turning = [observe.rotational_temperature(state, self._geometry, k) for k in kinds]
+        vibrating = [observe.vibrational_temperature(state, k) for k in kinds]
+        return {
+            "temperature_translational": observe.translational_temperature(state, self._geometry),
+            "temperature_rotational": observe.rotational_temperature(state, self._geometry),
+            "temperature_vibrational": observe.vibrational_temperature(state),
+            "species_temperature_rotational": self._by_species(turning),
+            "species_temperature_vibrational": self._by_species(vibrating),
+        }
 
     def _by_species(self, values: list[float | None]) -> ArrayLike:
         return np.array([np.nan if value is None else value for value in values])

@@ -77,6 +77,7 @@ def summary(simulation: Run) -> dict[str, Any]:
         "rest_energy": float(change.rest_energy[0]),
         "momentum": list(simulation.momentum()),
         "temperature": simulation.temperature(),
+        **_temperatures(simulation),
         "pressure": simulation.pressure(),
         "pressure_virial": observe.virial_pressure(
             change, here, size, counts, temperature=flight, duration=duration
@@ -150,6 +151,23 @@ def _rates(change: Tallies, duration: float) -> dict[str, Any] | None:
     return {"pairs": rates.pairs, "walls": rates.walls, "per_pair": rates.per_pair.tolist()}
 
 
+def _temperatures(simulation: Run, species: int | None = None) -> dict[str, float | None]:
+    """Where there are molecules, the temperatures of their motions, of all or of one kind."""
+    state, geometry = simulation.state, simulation.geometry
+    if not simulation.scenario.molecules:
+        return {}
+    flight = (
+        observe.translational_temperature(state, geometry)
+        if species is None
+        else observe.species_temperature(state, geometry, species)
+    )
+    return {
+        "temperature_translational": flight,
+        "temperature_rotational": observe.rotational_temperature(state, geometry, species),
+        "temperature_vibrational": observe.vibrational_temperature(state, species),
+    }
+
+
 def _species(simulation: Run, k: int, count: int) -> dict[str, Any]:
     state, geometry = simulation.state, simulation.geometry
     center = observe.center_of_mass(state, geometry, k)
@@ -157,6 +175,7 @@ def _species(simulation: Run, k: int, count: int) -> dict[str, Any]:
         "name": simulation.scenario.kinds[k].name,
         "count": count,
         "temperature": observe.species_temperature(state, geometry, k),
+        **_temperatures(simulation, k),
         "mean_speed": observe.mean_speed(state, k),
         "rms_speed": observe.rms_speed(state, k),
         "center_of_mass": None if center is None else center.tolist(),
