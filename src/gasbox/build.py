@@ -194,7 +194,7 @@ def _part(state: State, geometry: Geometry, scenario: Scenario, warnings: list[s
         raise ScenarioError([_overlap_problem(overlap)])
     moved = separate(state, geometry)
     warnings.append(
-        f"discs that overlapped under the stepped rule were moved apart, by at most {moved:.3g}: "
+        f"{'molecules' if scenario.molecules else 'discs'} that overlapped were moved apart, by at most {moved:.3g}: "
         "event-driven dynamics knows no overlaps"
     )
 
@@ -203,7 +203,7 @@ def _overlap_problem(overlap: Overlap) -> Problem:
     return Problem(
         "particles",
         str(overlap),
-        'discs that do not overlap each other or a wall (touching is fine), or dynamics kind "stepped"',
+        'particles that do not overlap each other or a wall (touching is fine), or dynamics kind "stepped"',
     )
 
 

@@ -10,9 +10,12 @@ from matplotlib.patches import Circle as Round
 from matplotlib.patches import Polygon as Filled
 
 from gasbox import plots
+from gasbox.cli.sticks import bonds_between
 from gasbox.geometry import Block, Circle, Enclosure, Polygon, Post, Rectangle, Segment, Wall, side_names
+from gasbox.initial import populate
 from gasbox.observe import CenterSeries, EnergyBalance, IndicatorSeries, Line, Profile, Profiles, SideSeries
 from gasbox.plots.balance import MOST_POINTS
+from gasbox.scenario import parse
 from gasbox.state import State
 
 TIME = np.array([0.0, 1.0, 2.0])
@@ -237,3 +240,29 @@ def test_panels_stand_two_side_by_side(count):
     assert figure.get_suptitle() == "Title"
     columns = {round(axes.get_subplotspec().colspan.start) for axes in figure.axes}
     assert columns == ({0} if count == 1 else {0, 1})
+
+
+def test_molecules_are_drawn_atom_by_atom() -> None:
+    pair = {
+        "atoms": [{"position": [0, 0]}, {"position": [3, 0], "color": "#112233"}],
+        "bonds": [{"atoms": [0, 1]}],
+    }
+    scenario = parse(
+        {
+            "container": {"width": 60, "height": 60},
+            "species": [{"name": "disc", "count": 2, "temperature": 1}],
+            "molecules": [{"name": "pair", "count": 3, "temperature": 1, **pair}],
+        }
+    )
+    state = populate(scenario)
+    axes = Figure().subplots()
+    colors = [(disc.name, disc.color) for disc in scenario.site_kinds]
+    sticks = bonds_between(scenario, state)
+    plots.draw_gas(axes, state, scenario.geometry(), colors, sticks=sticks)
+    bonds, *discs = axes.collections
+    assert [len(found.get_offsets()) for found in discs] == [2, 3, 3]
+    assert np.array(bonds.get_segments()) == pytest.approx(state.sites.position[[[2, 3], [4, 5], [6, 7]]])
+    assert np.concatenate([found.get_offsets() for found in discs]) == pytest.approx(
+        state.sites.position[[0, 1, 2, 4, 6, 3, 5, 7]]
+    )
+    plots.draw_gas(Figure().subplots(), state, scenario.geometry(), colors[:2], groups=np.zeros(5, np.int8))
