@@ -30,7 +30,7 @@ __all__ = ["Parts", "build"]
 _FRAMES_ACROSS = 240
 """Frames in which a disc of typical speed crosses the shorter side of the box, where no interval is given."""
 
-_WITH_MOLECULES: tuple[str, ...] = ()
+_WITH_MOLECULES: tuple[str, ...] = ("forced",)
 """Kinds of dynamics that know molecules."""
 
 _STEPS_A_FRAME = 10
@@ -173,6 +173,7 @@ def _forced_settings(scenario: Scenario, state: State) -> rules.ForcedSettings:
         thermostat,
         scenario.barostat,
         scenario.heating,
+        scenario.kinds,
     )
 
 

@@ -26,15 +26,23 @@ from gasbox.kernels.forced.bath import (
     aim,
 )
 from gasbox.scenario import Barostat, Heating, Langevin, Thermostat, VelocityRescaling
-from gasbox.state import Control, SetBarostat, SetHeating, SetThermostat
+from gasbox.state import Control, SetBarostat, SetHeating, SetThermostat, State
 
 __all__ = ["Drive", "degrees_of_freedom", "drive_of"]
 
 
-def degrees_of_freedom(count: int, geometry: Geometry) -> int:
-    """Velocity components that share the energy, as `gasbox.observe.degrees_of_freedom` counts them."""
+def degrees_of_freedom(state: State, geometry: Geometry) -> int:
+    """Velocities that share the energy: 2 of a particle, 1 more if it turns; 2 of each disc of a flexible molecule.
+
+    Less one for each momentum that is conserved.
+    """
+    moving = 2 * state.count
+    if state.sites is not None:
+        flexible = state.sites.flexible
+        moving += int(np.count_nonzero((state.inertia > 0.0) & ~flexible))
+        moving += 2 * int((np.diff(state.sites.first) - 1)[flexible].sum())
     conserved = int(np.count_nonzero(conserved_momentum(geometry))) + int(conserves_rotation(geometry))
-    return max(2 * count - conserved, 0)
+    return max(moving - conserved, 0)
 
 
 def drive_of(

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from gasbox.dynamics.baths import Drive, degrees_of_freedom, drive_of
 from gasbox.dynamics.changes import as_enclosure
+from gasbox.dynamics.forced_discs import bodies_of, discs_of, gas_of, held, kinetic_energy, of_particles
+from gasbox.dynamics.forced_memory import as_listed, put_back, remembered
 from gasbox.dynamics.forced_room import Tables
 from gasbox.dynamics.team import Team, fitting_threads
 from gasbox.errors import DynamicsError, UsageError
@@ -18,7 +20,7 @@ from gasbox.geometry.conserved import conserved_momentum
 from gasbox.kernels import arguments, forced
 from gasbox.kernels.hall import hall
 from gasbox.protocols import Status
-from gasbox.scenario import Barostat, Heating, Thermostat
+from gasbox.scenario import Barostat, Heating, Kind, Thermostat
 from gasbox.state import Contacts, Control, Memory, State, Tallies
 
 __all__ = ["Forced", "ForcedSettings"]
@@ -42,6 +44,7 @@ class ForcedSettings:
     sigma : smallest range of a force [length]
     wall_strength : of walls that push back smoothly [energy]; 0 for walls at which discs turn round
     thermostat, barostat, heating : as the scenario has them; a thermostat has a temperature
+    kinds : all kinds of particle, for what acts within molecules; may be left out without flexible ones
     """
 
     time_step: float
@@ -51,6 +54,7 @@ class ForcedSettings:
     thermostat: Thermostat | None = None
     barostat: Barostat | None = None
     heating: Heating | None = None
+    kinds: tuple[Kind, ...] = ()
 
 
 class Forced:
@@ -127,12 +131,13 @@ class Forced:
         self._drive.change(change, self._time, self._temperature(state))
         # A Langevin thermostat that is switched off leaves no heat of its last step behind, to be booked again.
         self._tables.crowd.room.sums[:] = 0.0
+        if self._tables.crowd.bodies is not None:
+            self._tables.crowd.bodies.sums[:] = 0.0
 
     def _temperature(self, state: State) -> float:
         drifts = np.array([self._bath.drifts_x, self._bath.drifts_y])
         common = np.where(drifts, state.mass @ state.velocity / max(float(state.mass.sum()), 1e-300), 0.0)
-        square = float(np.sum(state.mass @ (state.velocity - common) ** 2))
-        return square / self._bath.freedom if self._bath.freedom else 0.0
+        return 2.0 * kinetic_energy(state, common) / self._bath.freedom if self._bath.freedom else 0.0
 
     def _enter(self, state: State, geometry: Geometry) -> None:
         """Take over a geometry."""
@@ -145,7 +150,8 @@ class Forced:
         self._bath = forced.Bath(
             self._drive.values,
             np.array([self._seed & 0xFFFFFFFF, self._seed >> 32], np.int64),
-            degrees_of_freedom(state.count, geometry),
+            state.count,
+            degrees_of_freedom(state, geometry),
             bool(drifts[0]),
             bool(drifts[1]),
         )
@@ -164,16 +170,19 @@ class Forced:
 
     def _begin(self, state: State, memory: Memory | None = None) -> None:
         """Make all tables for the particles of `state`, or as they were when `memory` was taken."""
-        self._bath = self._bath._replace(freedom=degrees_of_freedom(state.count, self._geometry))
-        threads = self._threads or fitting_threads(state.count)
+        self._bath = self._bath._replace(
+            particles=state.count, freedom=degrees_of_freedom(state, self._geometry)
+        )
+        discs = discs_of(state)
+        threads = self._threads or fitting_threads(discs.count)
         if self._team is None or self._team.wanted != threads:
             self._team = Team(threads)
-        start = state
-        if memory is not None:
-            start = state.copy()
-            start.position = np.asarray(memory["built"], np.float64).reshape(-1, 2)
+        state.turn_sites()
+        bodies = bodies_of(state, self.settings.kinds)
         self._tables = Tables(
-            start,
+            discs if memory is None else as_listed(discs, bodies, memory),
+            held(state),
+            bodies,
             (float(self._size[0]), float(self._size[1])),
             (self._rule.periodic_x, self._rule.periodic_y),
             self.settings.terms.reach + self._rule.skin,
@@ -185,7 +194,7 @@ class Forced:
         self._tables.crowd.room.stage[0] = forced.LIST_FIRST
         self._go(state, int(self._clock[0]))
         if memory is not None:
-            self._tables.put(np.asarray(memory["position"], np.float64))
+            put_back(self._tables, memory)
         self._go(state, int(self._clock[0]))
         self._show(state)
 
@@ -220,7 +229,7 @@ class Forced:
     def _take_steps(self, state: State, target: int) -> int:
         """Let the kernel go on to a step, or to where it needs something."""
         assert self._team is not None
-        count = np.array([self.contacts.count], np.int64)
+        count, gas = np.array([self.contacts.count], np.int64), gas_of(state)
         # Whoever goes on with a run may have given it other tallies.
         self._books = forced.books(self.tallies)._replace(now=self._books.now)
         status = self._team.run(
@@ -229,9 +238,9 @@ class Forced:
             self.settings.terms,
             self._rule,
             self._bath,
-            arguments.gas(state),
+            gas,
             self._tables.walls,
-            arguments.ledger(self.tallies, self.contacts, count, state),
+            arguments.ledger(self.tallies, self.contacts, count, state)._replace(id=gas.id),
             self._books,
             self._clock,
             target,
@@ -256,6 +265,8 @@ class Forced:
 
     def _show(self, state: State) -> None:
         """Energies, and the size of a box that a barostat has changed."""
+        if state.sites is not None and self._tables.crowd.bodies is None:
+            state.sites.position[:], state.sites.velocity[:] = state.position, state.velocity
         state.potential, state.virial = float(self._books.now[0]), float(self._books.now[1])
         self._size = np.array(self._tables.size)
         if self._drive.has_barostat or np.any(self._size != self._geometry.size):
@@ -265,21 +276,22 @@ class Forced:
 
     def forces(self, state: State) -> NDArray[np.float64]:
         """(n, 2) float64 [mass·length/time²]: force on each particle now, in the order of the state."""
+        return self.forces_and_torques(state)[0]
+
+    def forces_and_torques(self, state: State) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The same, and (n,) float64 [energy]: torque on each about its centre of mass."""
         atoms = self._tables.crowd.atoms
-        return self._tables.by_row(atoms.fx, atoms.fy)
+        return of_particles(state, self._tables.by_row(atoms.fx, atoms.fy))
 
     def memory(self) -> Memory:
         """What goes on with the same bits.
 
-        ``forced_step``: steps done; ``position`` (n, 2): places, also outside a periodic box; ``built`` (n, 2):
-        places at which neighbours were listed; ``box`` (2,): its size; ``drive``: aims of thermostat and barostat;
-        ``drive_said``: those that the scenario says.
+        ``forced_step``: steps done; places, as `gasbox.dynamics.forced_memory.remembered` has them; ``box`` (2,): its
+        size; ``drive``: aims of thermostat and barostat; ``drive_said``: those that the scenario says.
         """
-        atoms = self._tables.crowd.atoms
         return {
             "forced_step": int(self._clock[0]),
-            "position": self._tables.by_row(atoms.x, atoms.y),
-            "built": self._tables.by_row(atoms.bx, atoms.by),
+            **remembered(self._tables),
             "box": self._size.copy(),
             "drive": self._drive.values.copy(),
             "drive_said": self._said.copy(),

@@ -22,7 +22,9 @@ class Tables:
 
     Parameters
     ----------
-    state : the particles
+    discs : all discs, each a row
+    held : (m,) bool, which of them are parts of rigid bodies
+    bodies : the molecules that they make up, if there are any
     size : (2,) float64, width and height of the box [length]
     periodic : (2,) bool
     reach : of the lists, skin included [length]
@@ -36,7 +38,9 @@ class Tables:
 
     def __init__(
         self,
-        state: State,
+        discs: State,
+        held: NDArray[np.bool_],
+        bodies: forced.Bodies | None,
         size: tuple[float, float],
         periodic: tuple[bool, bool],
         reach: float,
@@ -44,12 +48,12 @@ class Tables:
         hall: Hall,
         wall_strength: float,
     ) -> None:
-        self._count = state.count
+        self._count = discs.count
         self._periodic, self._reach, self._threads = periodic, reach, threads
         self._hall, self._wall_strength = hall, wall_strength
-        around = state.count * (2.0 * reach) ** 2 / (size[0] * size[1])
+        around = discs.count * (2.0 * reach) ** 2 / (size[0] * size[1])
         self._entries, self._slots = max(_FEWEST, around / 2.0), _EXPECTED
-        self._atoms = forced.atoms(state)
+        self._atoms, self._bodies = forced.atoms(discs, held), bodies
         self._make(size)
 
     def _make(self, size: tuple[float, float]) -> None:
@@ -60,12 +64,13 @@ class Tables:
             images *= 1.0 + 2.0 * self._reach / size[0]
         if self._periodic[1]:
             images *= 1.0 + 2.0 * (self._reach + thick) / size[1]
-        slots = forced.slots(int(self._slots * self._count * images) + 16 * strips.slot.shape[0] + 64)
+        most = int(self._slots * self._count * images) + 16 * strips.slot.shape[0] + 64
+        slots = forced.slots(most, self._bodies is not None)
         # Each thread fills a part of its own, and stops when all strips around an atom might not fit.
         spare = self._threads * slots.x.shape[0]
         lists = forced.lists(self._count, int(self._entries * (self._count + 64)) + spare)
         room = forced.room(self._count, size, self._threads)
-        self.crowd = forced.Crowd(self._atoms, slots, lists, strips, room)
+        self.crowd = forced.Crowd(self._atoms, slots, lists, strips, room, self._bodies)
         near = int(self._slots * (128 + 2 * self._count)) if self._hall.kind.shape[0] else 0
         self.walls = forced.walls(self._hall, self._wall_strength, near)
 
@@ -86,12 +91,17 @@ class Tables:
         return float(width), float(height)
 
     def put(self, position: NDArray[np.float64]) -> None:
-        """Put all atoms to these places (n, 2), in the order of the state; the lists stay."""
+        """Put all atoms to these places (m, 2), in the order of the discs; the lists stay."""
         rows = self._atoms.row[: self._count]
         self._atoms.x[: self._count], self._atoms.y[: self._count] = position[rows].T
 
+    def put_velocities(self, velocity: NDArray[np.float64]) -> None:
+        """Give all atoms these velocities (m, 2), likewise."""
+        rows = self._atoms.row[: self._count]
+        self._atoms.vx[: self._count], self._atoms.vy[: self._count] = velocity[rows].T
+
     def by_row(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-        """(n, 2) float64: two columns of the atoms in the order of the state."""
+        """(m, 2) float64: two columns of the atoms in the order of the discs."""
         found = np.zeros((self._count, 2))
         rows = self._atoms.row[: self._count]
         found[rows, 0], found[rows, 1] = x[: self._count], y[: self._count]

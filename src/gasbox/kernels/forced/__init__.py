@@ -2,9 +2,11 @@
 
 from gasbox.kernels.forced.advance import FORCE_FIRST, LIST_FIRST, LISTED, TOO_FAR, advance
 from gasbox.kernels.forced.bath import Bath
+from gasbox.kernels.forced.bodies import Bodies, Inner, bodies
+from gasbox.kernels.forced.crowd import Crowd
 from gasbox.kernels.forced.lists_anew import GROW, Rule
 from gasbox.kernels.forced.sort import thickness
-from gasbox.kernels.forced.tables import Crowd, Terms, atoms, books, lists, room, slots, strips
+from gasbox.kernels.forced.tables import Terms, atoms, books, lists, room, slots, strips
 from gasbox.kernels.forced.walls import Walls, walls
 
 __all__ = [
@@ -14,12 +16,15 @@ __all__ = [
     "LIST_FIRST",
     "TOO_FAR",
     "Bath",
+    "Bodies",
     "Crowd",
+    "Inner",
     "Rule",
     "Terms",
     "Walls",
     "advance",
     "atoms",
+    "bodies",
     "books",
     "lists",
     "room",

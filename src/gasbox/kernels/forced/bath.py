@@ -16,6 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
+from gasbox.kernels.forced.bodies import Bodies
+from gasbox.kernels.forced.molecules_bath import body_sums, part_of, rescale_bodies, rub_bodies
 from gasbox.kernels.forced.noise import gamma, gaussians
 from gasbox.kernels.forced.tables import BLOCK, HEAT, KINETIC, MASS, POTENTIAL, PX, PY, VIRIAL, Atoms, Room
 from gasbox.kernels.lanes import WIDTH, choose, load, spread, store, total
@@ -45,19 +47,24 @@ class Bath(NamedTuple):
     ----------
     drive : (13,) float64, see the columns above
     seed : (2,) int64, halves of the scenario's seed
+    particles : how many there are
     freedom : degrees of freedom
     drifts_x, drifts_y : whether momentum along x, along y is conserved, so that it is no heat
     """
 
     drive: NDArray[np.float64]
     seed: NDArray[np.int64]
+    particles: int
     freedom: int
     drifts_x: bool
     drifts_y: bool
 
 
 class Sums(NamedTuple):
-    """Of all atoms: velocity that is no heat, thermal kinetic energy, whole one, potential energy, virial, heat."""
+    """Of all atoms: velocity that is no heat, thermal kinetic energy, whole one, potential energy, virial, heat.
+
+    And what part of the kinetic energy is rotation, or motion within flexible molecules.
+    """
 
     ux: float
     uy: float
@@ -66,6 +73,8 @@ class Sums(NamedTuple):
     potential: float
     virial: float
     heat: float
+    rotation: float
+    vibration: float
 
 
 @inlined_kernel
@@ -81,6 +90,7 @@ def aim(drive: NDArray[np.float64], first: int, time: float) -> float:
 @bare_kernel
 def rub(
     atoms: Atoms,
+    bodies: Bodies | None,
     bath: Bath,
     room: Room,
     id: NDArray[np.int64],
@@ -89,19 +99,28 @@ def rub(
     time: float,
     begin: int,
     end: int,
+    begin_body: int,
+    end_body: int,
 ) -> None:
-    """Friction and noise of the Langevin thermostat in one step, for blocks `begin` to `end`."""
+    """Friction and noise of the Langevin thermostat in one step, for blocks `begin` to `end`.
+
+    begin_body, end_body : likewise, of molecules
+    """
     keep = math.exp(-time_step / bath.drive[T_TIME])
     noise = math.sqrt((1.0 - keep * keep) * max(aim(bath.drive, T_FROM, time), 0.0))
     for block in range(begin, end):
         heat = 0.0
         for k in range(block * BLOCK, min((block + 1) * BLOCK, room.stage[1])):
-            one, two = gaussians(bath.seed, _LANGEVIN, id[atoms.row[k]], 0, step)
+            if atoms.rate[k] == 0.0:
+                continue
+            site = atoms.row[k]
+            one, two = gaussians(bath.seed, _LANGEVIN, id[site], part_of(bodies, site), step)
             spreading = noise * math.sqrt(atoms.rate[k])
             vx, vy = keep * atoms.vx[k] + spreading * one, keep * atoms.vy[k] + spreading * two
             heat += 0.5 * atoms.mass[k] * (vx**2 - atoms.vx[k] ** 2 + vy**2 - atoms.vy[k] ** 2)
             atoms.vx[k], atoms.vy[k] = vx, vy
         room.sums[block, HEAT] = heat
+    rub_bodies(bodies, keep, noise, bath.seed, step, begin_body, end_body)
 
 
 @bare_kernel
@@ -123,7 +142,7 @@ def sum_blocks(atoms: Atoms, room: Room, measured: bool, begin: int, end: int) -
 
 
 @bare_kernel
-def sum_atoms(bath: Bath, room: Room) -> Sums:
+def sum_atoms(bath: Bath, room: Room, bodies: Bodies | None) -> Sums:
     """Sums over all blocks, in their order."""
     mass, px, py, kinetic, potential, virial, heat = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for block in range(room.sums.shape[0]):
@@ -134,15 +153,19 @@ def sum_atoms(bath: Bath, room: Room) -> Sums:
         potential += room.sums[block, POTENTIAL]
         virial += room.sums[block, VIRIAL]
         heat += room.sums[block, HEAT]
+    rotation, vibration = 0.0, 0.0
+    if bodies is not None:
+        body_px, body_py, body_kinetic, rotation, vibration, body_heat = body_sums(bodies)
+        px, py, kinetic, heat = px + body_px, py + body_py, kinetic + body_kinetic, heat + body_heat
     ux = px / mass if bath.drifts_x and mass > 0.0 else 0.0
     uy = py / mass if bath.drifts_y and mass > 0.0 else 0.0
     thermal = kinetic - 0.5 * mass * (ux * ux + uy * uy)
-    return Sums(ux, uy, thermal, kinetic, potential, virial, heat)
+    return Sums(ux, uy, thermal, kinetic, potential, virial, heat, rotation, vibration)
 
 
 @bare_kernel
 def factor(
-    bath: Bath, kinetic: float, n: int, time_step: float, step: int, time: float
+    bath: Bath, kinetic: float, time_step: float, step: int, time: float
 ) -> tuple[float, float, float]:
     """By what thermal velocities are multiplied in this step; heat of the thermostat, and of the heating."""
     drive, freedom = bath.drive, float(bath.freedom)
@@ -158,25 +181,45 @@ def factor(
             squares += 2.0 * gamma(bath.seed, _RESCALING, 0.5 * (freedom - 1.0), step)
         part = (1.0 - keep) * mean
         aimed *= max(keep + part * squares + 2.0 * one * math.sqrt(keep * part), 0.0)
-    added = max(drive[POWER] * n * time_step, -aimed)
+    added = max(drive[POWER] * bath.particles * time_step, -aimed)
     return math.sqrt((aimed + added) / kinetic), aimed - kinetic, added
 
 
 @bare_kernel
-def rescale(atoms: Atoms, by: float, ux: float, uy: float, begin: int, end: int) -> None:
+def rescale(
+    atoms: Atoms,
+    bodies: Bodies | None,
+    by: float,
+    ux: float,
+    uy: float,
+    begin: int,
+    end: int,
+    begin_body: int,
+    end_body: int,
+) -> None:
     """Multiply velocities relative to (ux, uy), but not where there is no atom. begin, end : multiples of WIDTH."""
     for k in range(begin, end, WIDTH):
         taken = load(atoms.rate, k) > 0.0
         vx, vy = load(atoms.vx, k), load(atoms.vy, k)
         store(atoms.vx, k, choose(taken, (vx - ux) * by + ux, vx))
         store(atoms.vy, k, choose(taken, (vy - uy) * by + uy, vy))
+    rescale_bodies(bodies, by, ux, uy, begin_body, end_body)
 
 
 @bare_kernel
 def stretch(
-    bath: Bath, thermal: float, virial: float, n: int, area: float, duration: float, step: int, time: float
+    bath: Bath,
+    thermal: float,
+    flying: float,
+    virial: float,
+    area: float,
+    duration: float,
+    step: int,
+    time: float,
 ) -> float:
     """By what the barostat multiplies all lengths, after a time `duration` without it.
+
+    thermal, flying : thermal kinetic energy, and that of centres of mass alone
 
     d ln A = [(P - P0) A + T] / (N T tau) dt + sqrt(2 / (N tau)) dW, with the present pressure P and the thermostat's
     aim, or the present temperature, T. The centre of mass, whose motion is no heat, counts to the pressure with T. So A
@@ -186,9 +229,10 @@ def stretch(
     temperature = 2.0 * thermal / bath.freedom
     if drive[THERMOSTAT] != OFF:
         temperature = aim(drive, T_FROM, time)
+    n = bath.particles
     if n == 0 or not temperature > 0.0:
         return 1.0
-    push = thermal + 0.5 * virial + 2.0 * temperature - aim(drive, P_FROM, time) * area
+    push = flying + 0.5 * virial + 2.0 * temperature - aim(drive, P_FROM, time) * area
     pace = duration / (n * drive[P_TIME])
     one, _ = gaussians(bath.seed, _BAROSTAT, 0, 0, step)
     change = max(-_MOST, min(push / temperature * pace, _MOST))

@@ -6,8 +6,10 @@ from typing import NamedTuple
 
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas
+from gasbox.kernels.forced.crowd import Crowd
+from gasbox.kernels.forced.molecules import find
 from gasbox.kernels.forced.sort import divide, lay_out, list_neighbours, sort_atoms, wrap
-from gasbox.kernels.forced.tables import Crowd, Terms
+from gasbox.kernels.forced.tables import Terms
 from gasbox.kernels.forced.walls import Walls, list_walls
 
 __all__ = ["GROW", "Rule", "box_of", "list_share", "sort_all"]
@@ -46,15 +48,16 @@ def box_of(crowd: Crowd, rule: Rule) -> Box:
 @bare_kernel
 def sort_all(crowd: Crowd, terms: Terms, rule: Rule, gas: Gas, walls: Walls) -> int:
     """Bring all atoms back into the box, sort them and lay out the slots; 0, or 1 if room is short."""
-    atoms, slots, lists, strips, room = crowd
+    atoms, slots, lists, strips, room, bodies = crowd
     n, reach, box = room.stage[1], terms.reach + rule.skin, box_of(crowd, rule)
-    wrap(atoms, box, 0, n)
+    wrap(atoms, bodies, box, 0, n)
     if not divide(strips, box, n, reach):
         return 1
     sort_atoms(atoms, box, strips, room)
+    find(bodies, atoms, n)
     if not list_walls(walls, atoms, gas, box, n, rule.skin):
         return 1
-    return 0 if lay_out(atoms, slots, lists, box, strips, reach) else 1
+    return 0 if lay_out(atoms, slots, lists, bodies, box, strips, reach) else 1
 
 
 @inlined_kernel

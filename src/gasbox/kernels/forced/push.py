@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
+from gasbox.kernels.forced.bodies import Bodies
 from gasbox.kernels.forced.laws import pair_law
 from gasbox.kernels.forced.tables import (
     CUT,
@@ -31,11 +32,11 @@ from gasbox.kernels.forced.tables import (
 )
 from gasbox.kernels.lanes import Lanes, choose, load, root, spread, take, total
 
-__all__ = ["push"]
+__all__ = ["bounded", "push"]
 
 
 @inlined_kernel
-def _bounded(
+def bounded(
     law: int,
     shifted: bool,
     square: Lanes,
@@ -61,10 +62,23 @@ def _bounded(
 
 
 @inlined_kernel
+def _of_others(
+    bodies: Bodies | None, slots: Slots, home: int, j: int, u: Lanes, f: Lanes
+) -> tuple[Lanes, Lanes]:
+    """Nothing where both discs are of one molecule, which holds together by other means."""
+    if bodies is None:
+        return u, f
+    away = load(slots.molecule, j) - slots.molecule[home]
+    other, nothing = away * away > 0.0, spread(0.0)
+    return choose(other, u, nothing), choose(other, f, nothing)
+
+
+@inlined_kernel
 def _alike(
     law: int,
     shifted: bool,
     measured: bool,
+    bodies: Bodies | None,
     atoms: Atoms,
     slots: Slots,
     lists: Lists,
@@ -88,7 +102,8 @@ def _alike(
             j = lists.start[entry]
             dx, dy = x - load(slots.x, j), y - load(slots.y, j)
             square = dx * dx + dy * dy
-            u, f = _bounded(law, shifted, square, a, b, c, d, cut2, cut, u_cut, f_cut)
+            u, f = bounded(law, shifted, square, a, b, c, d, cut2, cut, u_cut, f_cut)
+            u, f = _of_others(bodies, slots, home, j, u, f)
             fx, fy = fx + f * dx, fy + f * dy
             if measured:
                 us, ws = us + u, ws + f * square
@@ -101,25 +116,42 @@ def _alike(
 
 @bare_kernel
 def _push_alike(
-    atoms: Atoms, slots: Slots, lists: Lists, terms: Terms, t: int, measured: bool, begin: int, end: int
+    atoms: Atoms,
+    slots: Slots,
+    lists: Lists,
+    terms: Terms,
+    bodies: Bodies | None,
+    t: int,
+    measured: bool,
+    begin: int,
+    end: int,
 ) -> None:
     """As `_alike`, with a loop of its own for each law, and for the commonest case of all."""
     law, shifted, value = terms.law[t], terms.shifted[t], terms.value[t]
     if law == INVERSE_POWERS:
         if shifted:
-            _alike(INVERSE_POWERS, True, True, atoms, slots, lists, value, begin, end)
+            _alike(INVERSE_POWERS, True, True, bodies, atoms, slots, lists, value, begin, end)
         elif measured:
-            _alike(INVERSE_POWERS, False, True, atoms, slots, lists, value, begin, end)
+            _alike(INVERSE_POWERS, False, True, bodies, atoms, slots, lists, value, begin, end)
         else:
-            _alike(INVERSE_POWERS, False, False, atoms, slots, lists, value, begin, end)
+            _alike(INVERSE_POWERS, False, False, bodies, atoms, slots, lists, value, begin, end)
     elif law == SCREENED:
-        _alike(SCREENED, shifted, True, atoms, slots, lists, value, begin, end)
+        _alike(SCREENED, shifted, True, bodies, atoms, slots, lists, value, begin, end)
     else:
-        _alike(WELL, shifted, True, atoms, slots, lists, value, begin, end)
+        _alike(WELL, shifted, True, bodies, atoms, slots, lists, value, begin, end)
 
 
 @bare_kernel
-def _push_mixed(atoms: Atoms, slots: Slots, lists: Lists, terms: Terms, t: int, begin: int, end: int) -> None:
+def _push_mixed(
+    atoms: Atoms,
+    slots: Slots,
+    lists: Lists,
+    terms: Terms,
+    bodies: Bodies | None,
+    t: int,
+    begin: int,
+    end: int,
+) -> None:
     """Add the forces of one term among several species."""
     law, shifted, many = terms.law[t], terms.shifted[t], terms.species
     value = terms.value[t]
@@ -133,7 +165,7 @@ def _push_mixed(atoms: Atoms, slots: Slots, lists: Lists, terms: Terms, t: int, 
             j = lists.start[entry]
             dx, dy = x - load(slots.x, j), y - load(slots.y, j)
             square = dx * dx + dy * dy
-            u, f = _bounded(
+            u, f = bounded(
                 law,
                 shifted,
                 square,
@@ -146,6 +178,7 @@ def _push_mixed(atoms: Atoms, slots: Slots, lists: Lists, terms: Terms, t: int, 
                 take(value[U_CUT, mine:last], slots.species, j),
                 take(value[F_CUT, mine:last], slots.species, j),
             )
+            u, f = _of_others(bodies, slots, home, j, u, f)
             fx, fy = fx + f * dx, fy + f * dy
             us, ws = us + u, ws + f * square
         atoms.u[k] += 0.5 * total(us)
@@ -160,6 +193,7 @@ def push(
     slots: Slots,
     lists: Lists,
     terms: Terms,
+    bodies: Bodies | None,
     gx: float,
     gy: float,
     measured: bool,
@@ -175,6 +209,6 @@ def push(
         atoms.u[k] = atoms.w[k] = 0.0
     for t in range(terms.law.shape[0]):
         if terms.species == 1:
-            _push_alike(atoms, slots, lists, terms, t, measured, begin, end)
+            _push_alike(atoms, slots, lists, terms, bodies, t, measured, begin, end)
         else:
-            _push_mixed(atoms, slots, lists, terms, t, begin, end)
+            _push_mixed(atoms, slots, lists, terms, bodies, t, begin, end)

@@ -12,17 +12,25 @@ from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box
+from gasbox.kernels.forced.bodies import Bodies
+from gasbox.kernels.forced.molecules import wrap_bodies
 from gasbox.kernels.forced.motion import inside
 from gasbox.kernels.forced.tables import FAR, Atoms, Lists, Room, Slots, Strips
 from gasbox.kernels.lanes import WIDTH, bits, load, lowest, spread
 from gasbox.kernels.team import share
 
+_IMAGES = 4096.0
+"""More than molecules and forces can go round a periodic box, both ways."""
+
 __all__ = ["divide", "lay_out", "list_neighbours", "sort_atoms", "thickness", "wrap"]
 
 
 @bare_kernel
-def wrap(atoms: Atoms, box: Box, begin: int, end: int) -> None:
+def wrap(atoms: Atoms, bodies: Bodies | None, box: Box, begin: int, end: int) -> None:
     """Bring atoms back into the box along its periodic directions, and remember their places."""
+    if bodies is not None:
+        wrap_bodies(bodies, atoms, box)
+        return
     for k in range(begin, end):
         if box.periodic_x:
             atoms.x[k] = inside(atoms.x[k], box.width)
@@ -108,6 +116,15 @@ def _sort_strip(atoms: Atoms, order: NDArray[np.int32], begin: int, end: int) ->
 
 
 @inlined_kernel
+def _number(bodies: Bodies | None, slots: Slots, m: int, site: int, image: int, turn: int) -> None:
+    """Number the molecule that a slot belongs to: by its row, and by where this image of it stands."""
+    if bodies is None:
+        return
+    column, level = image - bodies.shift_x[site], turn - bodies.shift_y[site]
+    slots.molecule[m] = (bodies.owner[site] * _IMAGES + column) * _IMAGES + level
+
+
+@inlined_kernel
 def _fill(slots: Slots, m: int, k: int, sx: float, sy: float, atoms: Atoms) -> None:
     slots.source[m], slots.sx[m], slots.sy[m] = k, sx, sy
     slots.species[m] = atoms.species[k]
@@ -115,7 +132,15 @@ def _fill(slots: Slots, m: int, k: int, sx: float, sy: float, atoms: Atoms) -> N
 
 
 @bare_kernel
-def lay_out(atoms: Atoms, slots: Slots, lists: Lists, box: Box, strips: Strips, reach: float) -> bool:
+def lay_out(
+    atoms: Atoms,
+    slots: Slots,
+    lists: Lists,
+    bodies: Bodies | None,
+    box: Box,
+    strips: Strips,
+    reach: float,
+) -> bool:
     """Fill the slots: atoms, images within `reach` of a periodic box, empty ones; False if there are too few."""
     m, size = 0, slots.x.shape[0]
     count, more = strips.shape[0], strips.shape[1]
@@ -137,6 +162,7 @@ def lay_out(atoms: Atoms, slots: Slots, lists: Lists, box: Box, strips: Strips, 
                 if m + 2 * WIDTH > size:
                     return False
                 _fill(slots, m, k, sx, sy, atoms)
+                _number(bodies, slots, m, atoms.row[k], image, turn)
                 if image == 0 and turn == 0:
                     lists.home[k] = m
                 m += 1

@@ -13,7 +13,6 @@ __all__ = [
     "BLOCK",
     "Atoms",
     "Books",
-    "Crowd",
     "Lists",
     "Room",
     "Slots",
@@ -101,6 +100,7 @@ class Slots(NamedTuple):
     sx, sy : (m+,) float64, shift of the image
     species : (m+,) int32
     size : (1,) int64, how many are in use
+    molecule : (m+,) float64, the same number for discs of one molecule, another one for its images; (0,) without any
     """
 
     x: NDArray[np.float64]
@@ -110,6 +110,7 @@ class Slots(NamedTuple):
     sy: NDArray[np.float64]
     species: NDArray[np.int32]
     size: NDArray[np.int64]
+    molecule: NDArray[np.float64]
 
 
 class Lists(NamedTuple):
@@ -169,16 +170,6 @@ class Room(NamedTuple):
     before: NDArray[np.float64]
 
 
-class Crowd(NamedTuple):
-    """All tables of the discs together."""
-
-    atoms: Atoms
-    slots: Slots
-    lists: Lists
-    strips: Strips
-    room: Room
-
-
 class Books(NamedTuple):
     """Where energies are booked: arrays (1,) of `gasbox.state.Tallies`, and (3,) the energies at present.
 
@@ -192,6 +183,8 @@ class Books(NamedTuple):
     potential_time: NDArray[np.float64]
     area_time: NDArray[np.float64]
     measured_time: NDArray[np.float64]
+    rotational_time: NDArray[np.float64]
+    vibrational_time: NDArray[np.float64]
     thermostat_heat: NDArray[np.float64]
     heater_heat: NDArray[np.float64]
     barostat_work: NDArray[np.float64]
@@ -206,6 +199,8 @@ def books(tallies: Tallies) -> Books:
         tallies.potential_time,
         tallies.area_time,
         tallies.measured_time,
+        tallies.rotational_time,
+        tallies.vibrational_time,
         tallies.thermostat_heat,
         tallies.heater_heat,
         tallies.barostat_work,
@@ -217,8 +212,8 @@ def _padded(count: int) -> int:
     return (count // BLOCK + 1) * BLOCK
 
 
-def atoms(state: State) -> Atoms:
-    """Room for all discs of a state, in the order of its rows."""
+def atoms(state: State, held: NDArray[np.bool_]) -> Atoms:
+    """Room for all discs of a state, in the order of its rows; those `held` (n,) have no motion of their own."""
     n = state.count
     size = _padded(n)
 
@@ -230,12 +225,12 @@ def atoms(state: State) -> Atoms:
     row, species = np.zeros(size, np.int32), np.zeros(size, np.int32)
     row[:n], species[:n] = np.arange(n), state.species
     x, y = state.position.T if n else (0.0, 0.0)
-    vx, vy = state.velocity.T if n else (0.0, 0.0)
+    vx, vy = np.where(held, 0.0, state.velocity.T) if n else (0.0, 0.0)
     return Atoms(
         row,
         species,
         column(state.mass),
-        column(1.0 / state.mass),
+        column(np.where(held, 0.0, 1.0 / state.mass)),
         *(column(values) for values in (x, y, vx, vy)),
         *(column() for _ in range(6)),
     )
@@ -268,7 +263,7 @@ def room(count: int, size: tuple[float, float], threads: int) -> Room:
     )
 
 
-def slots(room: int) -> Slots:
+def slots(room: int, in_molecules: bool) -> Slots:
     """Room for so many slots."""
     return Slots(
         np.zeros(room),
@@ -278,6 +273,7 @@ def slots(room: int) -> Slots:
         np.zeros(room),
         np.zeros(room, np.int32),
         np.zeros(1, np.int64),
+        np.zeros(room if in_molecules else 0),
     )
 
 
