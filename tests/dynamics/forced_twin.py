@@ -57,7 +57,7 @@ class Twin:
         geometry = scenario.geometry()
         self.laws = pair_laws(scenario)
         self.charges = scenario.forces.charges if scenario.forces else None
-        self.charge = np.array([entry.charge or 0.0 for entry in scenario.species])
+        self.charge = np.array([entry.charge or 0.0 for entry in scenario.site_kinds])
         self.species = state.species
         self.mass = state.mass[:, None]
         self.size = np.array(geometry.size if size is None else size)

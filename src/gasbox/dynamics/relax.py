@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.dynamics.forced import Forced, ForcedSettings
+from gasbox.dynamics.inner_tables import stiffest
 from gasbox.geometry import Enclosure, Geometry
 from gasbox.rng import Stream, generator
 from gasbox.state import Contacts, State, Tallies
@@ -33,6 +34,8 @@ def relax(
 ) -> float | None:
     """Move discs apart along their forces until none is extreme; velocities stay.
 
+    Molecules keep their shape: they move along the force on all of their discs, and turn with the torque.
+
     Parameters
     ----------
     strength : largest epsilon of all pairs [energy]
@@ -55,22 +58,21 @@ def relax(
     moved = False
     limit = _TOO_STRONG * unit
     for turn in range(_MOST_ROUNDS):
-        force = trial.forces(state)
-        size = np.hypot(*force.T)
+        force, torque = trial.forces_and_torques(state)
+        size = np.hypot(*force.T) + np.abs(torque) / state.radius
         apart = _at_one_place(state, turn, seed) if turn < 10 else None
         wild = ~np.isfinite(size)
         if not wild.any() and size.max() <= limit and apart is None:
             break
         moved, limit = True, _CALM * unit
-        way = (
-            np.where(wild[:, None], 0.0, force)
-            * (settings.sigma * _LARGEST_WAY / np.maximum(size, limit))[:, None]
-        )
+        scale = settings.sigma * _LARGEST_WAY / np.maximum(size, limit)
+        way = np.where(wild[:, None], 0.0, force) * scale[:, None]
+        angle = np.where(wild, 0.0, torque) * scale / state.radius**2
         noise = generator(seed, Stream.POSITIONS, 1 + turn).normal(size=(int(wild.sum()), 2))
         way[wild] = noise * _LARGEST_WAY * settings.sigma
         if apart is not None:
             way += apart * settings.sigma
-        _move(geometry, state, way)
+        _move(geometry, state, way, angle)
         trial.resync(state)
     if not moved:
         return None
@@ -83,13 +85,26 @@ def relax(
 
 
 def _without_baths(settings: ForcedSettings) -> ForcedSettings:
-    return ForcedSettings(settings.time_step, settings.terms, settings.sigma, settings.wall_strength)
+    return ForcedSettings(
+        settings.time_step, settings.terms, settings.sigma, settings.wall_strength, kinds=settings.kinds
+    )
 
 
 def _at_one_place(state: State, turn: int, seed: int) -> NDArray[np.float64] | None:
-    """Small random ways for discs that stand at exactly the same place; None if none do."""
-    _, place, count = np.unique(state.position, axis=0, return_inverse=True, return_counts=True)
-    same = count[place.ravel()] > 1
+    """Small random ways for particles with discs at exactly the same place; None if there are none."""
+    position, owner = state.position, np.arange(state.count)
+    if state.sites is not None:
+        position, owner = state.sites.position, state.sites.owner
+    _, place, count = np.unique(position, axis=0, return_inverse=True, return_counts=True)
+    shared = np.flatnonzero(count[place.ravel()] > 1)
+    if not shared.size:
+        return None
+    of_place: dict[int, set[int]] = {}
+    for disc in shared.tolist():
+        of_place.setdefault(int(place.ravel()[disc]), set()).add(int(owner[disc]))
+    same = np.zeros(state.count, np.bool_)
+    # Discs of one molecule may well be at one place.
+    same[[row for rows in of_place.values() if len(rows) > 1 for row in rows]] = True
     if not same.any():
         return None
     noise = generator(seed, Stream.POSITIONS, 1 + turn).normal(size=state.position.shape)
@@ -97,23 +112,57 @@ def _at_one_place(state: State, turn: int, seed: int) -> NDArray[np.float64] | N
     return way
 
 
-def _move(geometry: Geometry, state: State, way: NDArray[np.float64]) -> None:
-    """Move discs; one that would leave goes along x or y alone, if it can, so that it slides along a wall."""
+def _move(geometry: Geometry, state: State, way: NDArray[np.float64], turn: NDArray[np.float64]) -> None:
+    """Move and turn; who would leave goes along x or y alone, if it can, so that it slides along a wall."""
     waiting = np.ones(state.count, np.bool_)
-    for part in ((1.0, 1.0), (1.0, 0.0), (0.0, 1.0)):
+    for part in ((1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.0)):
         position = geometry.wrap(state.position + way * part)
-        goes = waiting & geometry.holds(position, state.radius)
+        goes = waiting & _held(geometry, state, position, turn)
         state.position[goes] = position[goes]
+        if state.sites is not None:
+            state.angle[goes] += turn[goes]
         waiting &= ~goes
+    if state.sites is not None:
+        state.sites.follow(state.position, state.velocity, state.angle, state.angular_velocity, True)
+
+
+def _held(
+    geometry: Geometry, state: State, position: NDArray[np.float64], turn: NDArray[np.float64]
+) -> NDArray[np.bool_]:
+    """(n,) bool: whether the container holds particles at these places (n, 2) that have turned by so much (n,)."""
+    if state.sites is None:
+        return geometry.holds(position, state.radius)
+    trial = state.sites.copy()
+    trial.follow(position, state.velocity, state.angle + turn, state.angular_velocity, True)
+    outside = ~geometry.holds(geometry.wrap(trial.position), trial.radius)
+    found: NDArray[np.bool_] = np.bincount(trial.owner, outside, state.count) == 0
+    return found
+
+
+def _lightest(state: State) -> float:
+    """Smallest mass that the force on a disc has to move; that of a rigid body gives way by turning, too."""
+    sites = state.sites
+    if sites is None:
+        return float(state.mass.min())
+    owner, rigid = sites.owner, ~sites.flexible
+    turns = np.where(state.inertia > 0.0, state.inertia, np.inf)
+    ease = 1.0 / state.mass[owner] + np.sum(sites.place**2, axis=1) / turns[owner]
+    return float(np.where(rigid[owner], 1.0 / ease, sites.mass).min())
 
 
 def step_warning(state: State, settings: ForcedSettings, strength: float) -> str | None:
-    """A sentence if the time step is long for the stiffness of a bound pair, or for the speed of the discs."""
+    """A sentence if the time step is long for the stiffness of a pair or a bond, or for the speed of the discs."""
     if not state.count:
         return None
-    mass = float(state.mass.min())
-    frequency = math.sqrt(114.0 * strength / mass) / settings.sigma
-    thermal = math.sqrt(float(np.mean(np.sum(state.velocity**2, axis=1))) / 2.0)
+    frequency = math.sqrt(114.0 * strength / _lightest(state)) / settings.sigma
+    present = set(state.species.tolist())
+    for number, kind in enumerate(settings.kinds):
+        if kind.flexible and number in present and state.sites is not None:
+            first = state.sites.first[np.flatnonzero(state.species == number)[0]]
+            mass = state.sites.mass[first : first + len(kind.sites)]
+            frequency = math.hypot(frequency, stiffest(kind, mass))
+    velocity = state.velocity if state.sites is None else state.sites.velocity
+    thermal = math.sqrt(float(np.mean(np.sum(velocity**2, axis=1))) / 2.0)
     longest = min(
         _LONGEST / frequency if frequency > 0.0 else math.inf,
         _FASTEST * settings.sigma / (4.0 * thermal) if thermal > 0.0 else math.inf,

@@ -70,5 +70,5 @@ def _state(
         state.angle = np.where(state.inertia > 0.0, angle, 0.0)
         state.angular_velocity = np.where(state.inertia > 0.0, turning, 0.0)
         state.sites = sites_of(scenario, species)
-        state.turn_sites()
+        state.sites.follow(state.position, state.velocity, state.angle, state.angular_velocity, True)
     return state

@@ -10,7 +10,7 @@ from gasbox.scenario.container import Container
 from gasbox.scenario.dynamics import EventDriven, Forced, Stepped
 from gasbox.scenario.forces import Forces
 from gasbox.scenario.histograms import Histograms
-from gasbox.scenario.kinds import Kind, sound_kinds
+from gasbox.scenario.kinds import Kind, anatomy, sound_kinds
 from gasbox.scenario.molecules import Molecule
 from gasbox.scenario.obstacles import Obstacle
 from gasbox.scenario.particles import Particles
@@ -54,6 +54,16 @@ class Parts:
     def kinds(self) -> list[Kind]:
         """The kinds of particle, as far as they are valid and their atoms are known."""
         return sound_kinds(self.species, self.molecules)
+
+    def discs(self) -> dict[str, int]:
+        """Number of discs in each kind of particle, by name."""
+        found = {f"species[{n}]" if one is None else one.name: 1 for n, one in enumerate(self.species)}
+        for number, molecule in enumerate(self.molecules):
+            if molecule is None:
+                found[f"molecules[{number}]"] = 1
+            else:
+                found[molecule.name] = len(anatomy(molecule)[0])
+        return found
 
     @property
     def are_valid(self) -> bool:

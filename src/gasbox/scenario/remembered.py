@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 import numpy as np
@@ -36,14 +36,15 @@ _LATER: Final = frozenset(
 
 
 def snapshot_problems(
-    snapshot: Snapshot, particles: Particles | None, species: int, walls: int
+    snapshot: Snapshot, particles: Particles | None, discs: Mapping[str, int], walls: int
 ) -> Iterator[Problem]:
-    """What does not fit, for a scenario with so many species and walls."""
+    """What does not fit, for a scenario with so many discs in each kind of particle, and so many walls."""
     if particles is None:
         yield Problem("particles", "nothing", "a snapshot needs its particles")
         return
-    yield from _tallies(snapshot.tallies, species, walls)
-    yield from _memory(snapshot.memory, particles.count, walls)
+    yield from _tallies(snapshot.tallies, len(discs), walls)
+    sizes = np.array([discs.get(name, 1) for name in particles.names], np.int64)
+    yield from _memory(snapshot.memory, particles.count, int(sizes[particles.index].sum()), walls)
 
 
 def _tallies(tallies: dict[str, Any], species: int, walls: int) -> Iterator[Problem]:
@@ -68,9 +69,9 @@ def _tallies(tallies: dict[str, Any], species: int, walls: int) -> Iterator[Prob
             yield Problem(path, short(found.ravel().tolist()), "must be sums of at least 0")
 
 
-def _memory(memory: dict[str, Any], particles: int, walls: int) -> Iterator[Problem]:
+def _memory(memory: dict[str, Any], particles: int, discs: int, walls: int) -> Iterator[Problem]:
     """What each dynamics remembers; which one it was, one name tells."""
-    for name, shape in _shapes(memory, particles, walls).items():
+    for name, shape in _shapes(memory, particles, discs, walls).items():
         path = f"snapshot.memory.{name}"
         if name not in memory:
             yield Problem(path, "nothing", "is required")
@@ -85,7 +86,7 @@ def _memory(memory: dict[str, Any], particles: int, walls: int) -> Iterator[Prob
             yield Problem(path, short(memory[name]), "must be greater than 0")
 
 
-def _shapes(memory: dict[str, Any], particles: int, walls: int) -> dict[str, tuple[int, ...]]:
+def _shapes(memory: dict[str, Any], particles: int, discs: int, walls: int) -> dict[str, tuple[int, ...]]:
     """The shape of everything that is to be there."""
     shapes: dict[str, tuple[int, ...]] = {}
     vectors, row = (particles, 2), (particles,)
@@ -94,7 +95,9 @@ def _shapes(memory: dict[str, Any], particles: int, walls: int) -> dict[str, tup
     if "step" in memory:
         shapes["step"] = ()
     if "forced_step" in memory:
-        shapes |= {"forced_step": (), "position": vectors, "built": vectors, "box": (2,)}
+        shapes |= {"forced_step": (), "position": vectors, "built": (discs, 2), "box": (2,)}
+        if discs > particles:
+            shapes |= dict.fromkeys(("site_position", "site_velocity", "site_shift"), (discs, 2))
         shapes |= {"drive": (_OF_BATHS,), "drive_said": (_OF_BATHS,)}
     if "walls" in memory:
         shapes["walls"] = (walls, _OF_WALL)

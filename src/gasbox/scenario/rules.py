@@ -170,6 +170,4 @@ def _axis(parts: Parts) -> Iterator[Problem]:
 def _snapshot(parts: Parts) -> Iterator[Problem]:
     if parts.snapshot is not None and parts.container is not None:
         walls = side_count(parts.container.geometry()) + len(parts.obstacles)
-        yield from snapshot_problems(
-            parts.snapshot, parts.particles, len(parts.species) + len(parts.molecules), walls
-        )
+        yield from snapshot_problems(parts.snapshot, parts.particles, parts.discs(), walls)

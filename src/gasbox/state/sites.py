@@ -65,6 +65,7 @@ class Sites:
         velocity: NDArray[np.float64],
         angle: NDArray[np.float64],
         angular_velocity: NDArray[np.float64],
+        flexible_too: bool = False,
     ) -> None:
         """Put the sites of rigid particles where these are, with their velocities.
 
@@ -72,6 +73,7 @@ class Sites:
         ----------
         position, velocity : (n, 2) of the centres of mass [length], [length/time]
         angle, angular_velocity : (n,) [rad], [rad/time]
+        flexible_too : whether those of flexible particles follow, too, in their shape at rest
         """
         owner = self.owner
         cos, sin = np.cos(angle)[owner], np.sin(angle)[owner]
@@ -83,6 +85,6 @@ class Sites:
             axis=1,
         )
         turning = angular_velocity[owner, None] * np.stack([-arm[:, 1], arm[:, 0]], axis=1)
-        rigid = ~self.flexible[owner]
-        self.position[rigid] = (position[owner] + arm)[rigid]
-        self.velocity[rigid] = (velocity[owner] + turning)[rigid]
+        those = flexible_too | ~self.flexible[owner]
+        self.position[those] = (position[owner] + arm)[those]
+        self.velocity[those] = (velocity[owner] + turning)[those]
