@@ -75,7 +75,8 @@ def bits(simulation: Simulation) -> str:
     state, dynamics = simulation.state, simulation.dynamics
     digest = hashlib.sha256()
     arrays = [state.position, state.velocity, state.wall_displacement, *vars(dynamics.tallies).values()]
-    arrays += [np.array([state.time, state.potential, state.virial])]
+    arrays += [np.array([state.time, state.potential, state.virial]), state.angle, state.angular_velocity]
+    arrays += [] if state.sites is None else [state.sites.position, state.sites.velocity]
     for name, value in sorted(dynamics.memory().items()):
         digest.update(name.encode())
         arrays.append(np.asarray(value))
