@@ -53,7 +53,7 @@ def gas(counts, width=16.0, height=14.0, molecules=(DUMBBELL,), periodic=("x", "
     data = {
         "format": "gasbox-scenario/1",
         "seed": more.pop("seed", 3),
-        "container": rectangle(width, height, periodic),
+        "container": more.pop("container", rectangle(width, height, periodic)),
         "species": [{**ATOM, "count": atoms, "temperature": 1.0}, HEAVY],
         "molecules": [
             {**molecule, "count": count} for molecule, count in zip(molecules, counts, strict=True)
