@@ -30,6 +30,7 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
         ("finding events", lambda: build(_tiny("event-driven"))),
         ("event-driven dynamics", lambda: _run_tiny("event-driven")),
         ("forced dynamics", lambda: _run_tiny("forced")),
+        ("forced dynamics, molecules", _push_tiny_molecules),
         ("stepped dynamics, walls of any shape", lambda: _run_tiny("stepped", enclosed=True)),
         ("event-driven dynamics, walls of any shape", lambda: _run_tiny("event-driven", enclosed=True)),
     ]
@@ -87,6 +88,14 @@ def _tiny_molecules(obstacles: list[dict[str, Any]]) -> Scenario:
     stick = {"name": "stick", "atoms": atoms, "count": 20, "temperature": 1}
     box = {"container": {"width": 40, "height": 40}, "obstacles": obstacles}
     return parse({**box, "molecules": [stick]})
+
+
+def _push_tiny_molecules() -> None:
+    box = {"container": {"width": 20, "height": 20, "periodic": ["x", "y"]}, "dynamics": {"kind": "forced"}}
+    pair = {"atoms": [{"position": [0, 0]}, {"position": [1, 0]}], "name": "pair"}
+    parts = build(parse({**box, "molecules": [{**pair, "count": 4, "temperature": 1}]}))
+    parts.dynamics.contacts = Contacts.empty(8)
+    parts.dynamics.advance(parts.state, 0.1)
 
 
 def _part_tiny() -> None:

@@ -12,11 +12,11 @@ from gasbox import Simulation
 CHARGES = {"charges": {"strength": 1.5, "screening_length": 0.8, "cutoff": 3.0}}
 GASES = {
     "dumbbells": gas([60], atoms=20),
-    "small box": gas([3], width=2.9, height=3.4, atoms=1),
-    "narrow": gas([6], width=2.6, height=40.0),
+    "small box": gas([3], width=3.3, height=3.4, atoms=1, forces={"cutoff": 4.0}),
+    "narrow": gas([6], width=3.3, height=40.0),
     "water": gas([40], molecules=[WATER], width=11.0, height=11.0, forces=CHARGES),
     "trimers": gas([25], molecules=[TRIMER], atoms=30),
-    "trimers in a small box": gas([2], molecules=[TRIMER], width=3.5, height=3.6),
+    "trimers in a small box": gas([2], molecules=[TRIMER], width=6.3, height=6.2, forces={"cutoff": 6.0}),
     "chains": gas([8, 10], molecules=[CHAIN, DUMBBELL], forces={"truncation": "force-shifted"}),
 }
 every_gas = pytest.mark.parametrize("name", GASES)
