@@ -8,12 +8,13 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 from frame_server import FrameServer, running
+from free_flight import gas
 from playwright.sync_api import Browser, Page
 
+from gasbox.app.molecule_numbers import Energies
 from gasbox.app.protocol import WireFrame, encode_frame, table
 from gasbox.app.sample import Followed
 from gasbox.geometry import Enclosure, Polygon, Post, Rectangle, Segment, Wall
-from gasbox.scenario import Species
 
 pytestmark = pytest.mark.browser
 
@@ -21,7 +22,7 @@ DECODE = """async (text) => {
   const { decodeFrame } = await import("/core/protocol.js");
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const frame = decodeFrame(bytes.buffer);
-  const arrays = ["position", "species", "shades", "highlight", "displacement"];
+  const arrays = ["position", "species", "shades", "highlight", "displacement", "angle", "places"];
   for (const key of arrays) frame[key] &&= Array.from(frame[key]);
   return frame;
 }"""
@@ -64,6 +65,9 @@ def test_frames_of_any_length(page: Page, count: int) -> None:
         coloring="speed",
         shades=random.integers(0, 256, count, np.uint8),
         bonds=True,
+        angle=random.random(count, np.float32),
+        places=np.array([[1, 2], [3, 4]], np.float32),
+        pointed=Followed(7, 0, (0.0, 0.0), (3.0, 4.0), Energies(12.5, 0.5, 0.25, -2.0)),
     )
     seen = decoded(page, encode_frame(frame))
     assert seen == {
@@ -83,6 +87,17 @@ def test_frames_of_any_length(page: Page, count: int) -> None:
         "bonds": True,
         "highlight": np.packbits(frame.highlight, bitorder="little").tolist(),  # type: ignore[arg-type]
         "followed": {"row": 0, "id": 3_000_000_000, "x": 1.5, "y": 2.5, "vx": -0.5, "vy": 0.25},
+        "angle": frame.angle.tolist(),  # type: ignore[union-attr]
+        "places": [1, 2, 3, 4],
+        "pointed": {
+            "row": 0,
+            "id": 7,
+            "speed": 5,
+            "angularVelocity": -2,
+            "translational": 12.5,
+            "rotational": 0.5,
+            "vibrational": 0.25,
+        },
     }
 
 
@@ -93,7 +108,7 @@ def test_nothing_optional(page: Page) -> None:
     assert (seen["coloring"], seen["shades"], seen["bonds"]) == (0, None, False)
 
 
-@pytest.mark.parametrize("message", [b"", b"\x03" + bytes(55), b"\x02" + bytes(99), bytes(100)])
+@pytest.mark.parametrize("message", [b"", b"\x04" + bytes(55), b"\x03" + bytes(99), bytes(100)])
 def test_what_is_no_frame_is_refused(page: Page, message: bytes) -> None:
     with pytest.raises(Exception, match="not a frame"):
         decoded(page, message)
@@ -105,7 +120,6 @@ def test_a_frame_cut_short_is_refused(page: Page) -> None:
         decoded(page, encode_frame(bare)[:-1])
 
 
-SPECIES = [Species(name="a", radius=1.0, color="#ff0000"), Species(name="b", radius=2.5, color="#00ff00")]
 DECODE_TABLE = """async (text) => {
   const { decodeTable } = await import("/core/protocol.js");
   const table = decodeTable(JSON.parse(text));
@@ -114,7 +128,7 @@ DECODE_TABLE = """async (text) => {
 
 
 def test_the_table(page: Page) -> None:
-    text = table(7, Rectangle(60.0, 40.0, True, False), SPECIES)
+    text = table(7, Rectangle(60.0, 40.0, True, False), gas())
     seen = page.evaluate(DECODE_TABLE, text)
     wanted = {
         "generation": 7,
@@ -125,10 +139,10 @@ def test_the_table(page: Page) -> None:
         "periodicY": False,
         "obstacles": [],
         "gravity": [0, 0],
-        "names": ["a", "b"],
-        "colors": ["#ff0000", "#00ff00"],
-        "radii": [1, 2.5],
-        "reaches": [3, 7.5],
+        "names": ["kind 0", "kind 1"],
+        "colors": ["#ff0000", "#00a000"],
+        "radii": [0.5, 1],
+        "reaches": [1.5, 3],
     }
     assert {key: seen[key] for key in wanted} == wanted
     assert [side["out"] for side in seen["sides"]] == [[-1, 0], [1, 0], [0, -1], [0, 1]]
@@ -144,7 +158,7 @@ def test_the_table_of_other_surroundings(page: Page) -> None:
         Wall("post"),
     )
     geometry = Enclosure(triangle, (Segment((1, 1), (1, 3)), Post((2, 2), 0.5)), walls, (0.0, -0.25))
-    seen = page.evaluate(DECODE_TABLE, table(8, geometry, SPECIES[:1]))
+    seen = page.evaluate(DECODE_TABLE, table(8, geometry, gas((1,))))
     assert (seen["shape"], seen["width"], seen["height"], seen["gravity"]) == ("polygon", 8, 6, [0, -0.25])
     assert [side["wall"]["name"] for side in seen["sides"]] == ["floor", "slope", "left"]
     assert seen["sides"][1]["out"] == pytest.approx([0.6, 0.8])

@@ -30,8 +30,8 @@ def test_ways_of_colouring_go_round() -> None:
 def test_the_size_of_a_disc_is_sigma_or_the_diameter() -> None:
     small, large = Species(name="a", radius=0.5), Species(name="b", radius=0.5, sigma=2.0)
     assert (size_of(small), size_of(large)) == (1.0, 2.0)
-    assert mean_size([small, large], [3, 1]) == 1.25
-    assert mean_size([small, large], [0, 0]) == 1.5
+    assert mean_size([1.0, 2.0], [3, 1]) == 1.25
+    assert mean_size([1.0, 2.0], [0, 0]) == 1.5
 
 
 def test_by_species_needs_no_shades() -> None:

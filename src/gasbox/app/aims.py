@@ -57,7 +57,7 @@ def aims_of(scenario: Scenario, changes: Sequence[tuple[float, Change]]) -> Aims
     if scenario.thermostat is not None:
         goal = scenario.thermostat.temperature
         if goal is None:
-            goal = starting_temperature(scenario.species)
+            goal = starting_temperature(scenario.kinds)
         temperature = None if goal is None else Aim(float(goal))
     if scenario.barostat is not None:
         pressure = Aim(float(scenario.barostat.pressure))
@@ -93,9 +93,10 @@ def can_have_barostat(scenario: Scenario, geometry: Geometry) -> bool:
 
 
 def power_unit(sample: Sample) -> float:
-    """Power by which the hand heats each disc [energy/time]."""
-    species = sample.scenario.species
-    counts = [max(one.count, 1) for one in species]
-    depths = [1.0 if one.epsilon is None else float(one.epsilon) for one in species]
-    energy = sum(depth * count for depth, count in zip(depths, counts, strict=True)) / sum(counts)
+    """Power by which the hand heats each particle [energy/time]."""
+    scenario = sample.scenario
+    depths = [1.0 if disc.epsilon is None else float(disc.epsilon) for disc in scenario.site_kinds]
+    counts = [max(kind.count, 1) for kind in scenario.kinds]
+    deep = [sum(depths[site] for site in kind.sites) for kind in scenario.kinds]
+    energy = sum(depth * count for depth, count in zip(deep, counts, strict=True)) / sum(counts)
     return float(f"{(energy or 1.0) / (_SECONDS * _FRAMES_PER_SECOND * sample.frame_interval):.2g}")

@@ -1,4 +1,4 @@
-"""The histograms beside the box: one for each species, all cut the same way."""
+"""The histograms beside the box: one for each kind of particle, all cut the same way."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from gasbox.app.histogram import Histogram
 from gasbox.app.sample import Sample
 from gasbox.observe import Histogram as Counts
 from gasbox.observe import histogram
-from gasbox.scenario import Species
+from gasbox.scenario import Kind
 
 __all__ = ["MOST_CHARTS", "Charts"]
 
@@ -37,9 +37,7 @@ class Charts:
     window : how long to average [s]
     """
 
-    def __init__(
-        self, species: Sequence[Species], choice: BinChoice, light: Lit, dim: Callable[[], None]
-    ) -> None:
+    def __init__(self, kinds: Sequence[Kind], choice: BinChoice, light: Lit, dim: Callable[[], None]) -> None:
         self.choice = choice
         self.theory = True
         self.window = 0.0
@@ -51,14 +49,14 @@ class Charts:
         self._automatic: list[float] = []
         self._root = ui.element("div").classes("contents")
         self.histograms: list[Histogram] = []
-        self.build(species, choice)
+        self.build(kinds, choice)
 
-    def build(self, species: Sequence[Species], choice: BinChoice) -> None:
-        """Make the charts of these species, in place of the old ones."""
+    def build(self, kinds: Sequence[Kind], choice: BinChoice) -> None:
+        """Make the charts of these kinds of particle, in place of the old ones."""
         self.choice = choice
         self._root.clear()
         with self._root:
-            shown = enumerate(species[:MOST_CHARTS])
+            shown = enumerate(kinds[:MOST_CHARTS])
             self.histograms = [Histogram(index, one, choice, self._pointed) for index, one in shown]
         self.smooth(self.window)
         self.forget()

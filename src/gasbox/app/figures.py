@@ -31,7 +31,7 @@ class Figures:
     temperature, energy : [energy]
     pressure : measured lately [mass/time²], at the walls, or by the virial where there are none
     pressure_route : how it was measured, ``walls`` or ``virial``
-    pressure_ideal, pressure_discs : what theory says, for points and for hard discs
+    pressure_ideal, pressure_discs : what theory says, for points and for hard discs (not for molecules)
     collision_rate : pairs that collided per time, lately [1/time]
     potential : of the forces between discs [energy]
     density : discs per area [1/length²]
@@ -78,11 +78,11 @@ def _density(sample: Sample) -> float | None:
 
 
 def _counts(sample: Sample) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
-    return np.bincount(sample.state.species, minlength=len(sample.scenario.species))
+    return np.bincount(sample.state.species, minlength=len(sample.scenario.kinds))
 
 
 def _radii(sample: Sample) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    return np.array([species.radius for species in sample.scenario.species], dtype=np.float64)
+    return np.array([kind.half_width for kind in sample.scenario.kinds], dtype=np.float64)
 
 
 def _pressure(sample: Sample, lately: Lately, warmth: float | None) -> float | None:
@@ -104,8 +104,10 @@ def _theory(sample: Sample, warmth: float | None) -> tuple[float | None, float |
         return None, None
     gas = mixture.Mixture.of(
         _counts(sample),
-        [species.mass for species in sample.scenario.species],
+        [kind.mass for kind in sample.scenario.kinds],
         _radii(sample),
         sample.geometry.at(sample.state.wall_displacement).area,
     )
-    return mixture.ideal_pressure(gas, warmth), mixture.pressure(gas, warmth)
+    # What is known of hard discs says nothing about molecules.
+    discs = None if sample.scenario.molecules else mixture.pressure(gas, warmth)
+    return mixture.ideal_pressure(gas, warmth), discs

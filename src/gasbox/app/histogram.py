@@ -1,4 +1,4 @@
-"""One species' histogram on the page, with the curve that theory expects."""
+"""The histogram of one kind of particle on the page, with the curve that theory expects."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from gasbox.app.chart_options import bar_rows, changes, curve_rows, initial, val
 from gasbox.app.smoothing import Smoothing
 from gasbox.app.wording import whole
 from gasbox.observe import Histogram as Counts
-from gasbox.scenario import Species
+from gasbox.scenario import Kind
 
 __all__ = ["Histogram", "Pointed"]
 
@@ -30,25 +30,25 @@ class Histogram:
 
     Attributes
     ----------
-    index, species : whose histogram this is
+    index, kind : whose histogram this is
     edges : (bins+1,) float64, as shown last
     ready : whether the browser has drawn the chart, so that it can take changes
     """
 
-    def __init__(self, index: int, species: Species, choice: BinChoice, pointed: Pointed) -> None:
+    def __init__(self, index: int, kind: Kind, choice: BinChoice, pointed: Pointed) -> None:
         self.index = index
-        self.species = species
+        self.kind = kind
         self.ready = False
         self.edges = np.linspace(0.0, 1.0, choice.count + 1)
         self._ceiling = Ceiling()
         self._smoothing = Smoothing()
         self._pointed = pointed
-        options = initial(species.name, str(species.color), choice.quantity)
+        options = initial(kind.name, str(kind.color), choice.quantity)
         with ui.element("section").classes("card histogram") as card:
-            card.props["aria-label"] = f"Histogram of {species.name}"
+            card.props["aria-label"] = f"Histogram of {kind.name}"
             with ui.element("div").classes("title"):
-                ui.element("span").classes("dot").style(f"background:{species.color}")
-                ui.label(species.name).classes("name")
+                ui.element("span").classes("dot").style(f"background:{kind.color}")
+                ui.label(kind.name).classes("name")
                 self._facts = ui.label("").classes("facts number").mark(f"facts-{index}")
             self.chart = ui.echart(options, renderer="svg").classes("plot").mark(f"histogram-{index}")
         self._listen()
@@ -101,10 +101,8 @@ class Histogram:
     ) -> dict[str, Any]:
         law, line = None, None
         if temperature and total:
-            law = expected(self.edges, choice.quantity, total, self.species.mass, temperature)
-            line = (
-                curve(self.edges, choice.quantity, total, self.species.mass, temperature) if theory else None
-            )
+            law = expected(self.edges, choice.quantity, total, self.kind.mass, temperature)
+            line = curve(self.edges, choice.quantity, total, self.kind.mass, temperature) if theory else None
         highest = max(float(counts.max(initial=0.0)), 0.0 if line is None else float(line[1].max()))
         top = self._ceiling.cover(now, highest)
         return {

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from gasbox.scenario import Species
+from gasbox.scenario import Kind, Scenario, Species
 
-__all__ = ["COLORINGS", "REACH", "Coloring", "Look", "after", "mean_size", "size_of"]
+__all__ = ["COLORINGS", "REACH", "Coloring", "Look", "after", "mean_size", "size_of", "sizes_of"]
 
 Coloring = Literal["species", "phase", "neighbours", "speed"]
 """What the colour of a disc says."""
@@ -42,10 +42,23 @@ def size_of(species: Species) -> float:
     return float(2.0 * species.radius if sigma is None else sigma)
 
 
-def mean_size(species: Sequence[Species], counts: Sequence[int]) -> float:
-    """Mean over all discs [length]; over the species where there are none."""
+def sizes_of(scenario: Scenario) -> list[float]:
+    """`size_of` of each kind of particle [length]; of a molecule the mean over all directions."""
+    return [_size_of_kind(scenario, kind) for kind in scenario.kinds]
+
+
+def _size_of_kind(scenario: Scenario, kind: Kind) -> float:
+    discs = [scenario.site_kinds[site] for site in kind.sites]
+    if not kind.is_molecule:
+        return size_of(discs[0])
+    # The discs of a molecule push at sigma, not at their rims.
+    beyond = [size_of(disc) - 2.0 * float(disc.radius) for disc in discs]
+    return 2.0 * kind.half_width + sum(beyond) / len(beyond)
+
+
+def mean_size(sizes: Sequence[float], counts: Sequence[int]) -> float:
+    """Mean over all particles [length], of kinds with these sizes; over the kinds where there are no particles."""
     total = sum(counts)
-    sizes = [size_of(one) for one in species]
     if total == 0:
         return sum(sizes) / len(sizes)
     return sum(size * count for size, count in zip(sizes, counts, strict=True)) / total

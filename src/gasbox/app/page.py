@@ -104,7 +104,7 @@ class Page:
                     choice, lambda: self.charts, self._redraw, lambda: self.studies
                 )
                 with ui.element("div").classes("histograms"):
-                    self.charts = Charts(scenario.species, choice, self._light, self.session.clear_highlight)
+                    self.charts = Charts(scenario.kinds, choice, self._light, self.session.clear_highlight)
                     self.studies = Studies(self.session, self._arrange)
         self.caption.show(scenario, ())
         self._arrange()
@@ -187,7 +187,7 @@ class Page:
         self._scenario = sample.scenario
         choice = BinChoice.of(sample.scenario)
         self.chart_settings.show(choice)
-        self.charts.build(sample.scenario.species, choice)
+        self.charts.build(sample.scenario.kinds, choice)
         self.header.show(sample.scenario)
         self.panel.show(sample.scenario)
         self._arrange()

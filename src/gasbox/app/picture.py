@@ -10,9 +10,11 @@ from numpy.typing import NDArray
 from gasbox.app import protocol
 from gasbox.app.aims import has_forces
 from gasbox.app.look import Look
+from gasbox.app.molecule_numbers import energies_of
 from gasbox.app.sample import Bin, Followed
 from gasbox.geometry import Enclosure
 from gasbox.observe import temperature
+from gasbox.state import Sites
 
 if TYPE_CHECKING:
     from gasbox.simulation import Simulation
@@ -24,7 +26,7 @@ def table(simulation: Simulation, generation: int) -> str:
     """The text message with the surroundings and the species."""
     scenario = simulation.scenario
     # Under forces walls stay where they are.
-    return protocol.table(generation, simulation.geometry, scenario.species, handles=not has_forces(scenario))
+    return protocol.table(generation, simulation.geometry, scenario, handles=not has_forces(scenario))
 
 
 def frame(
@@ -35,12 +37,14 @@ def frame(
     playing: bool,
     light: Bin | None,
     followed_id: int | None,
+    pointed_id: int | None,
     look: Look,
     shades: NDArray[np.uint8] | None,
 ) -> bytes:
-    """The binary message with all discs as they are now; `shades` (n,) are what `look` asks for."""
+    """The binary message with all particles as they are now; `shades` (n,) are what `look` asks for."""
     state, geometry = simulation.state, simulation.geometry
     followed, row = find(simulation, followed_id)
+    pointed, pointed_row = find(simulation, pointed_id)
     return protocol.encode_frame(
         protocol.WireFrame(
             generation=generation,
@@ -59,8 +63,22 @@ def frame(
             coloring=look.coloring,
             shades=shades,
             bonds=look.bonds,
+            angle=None if state.sites is None else _angles(state.angle),
+            places=None if state.sites is None else _soft_places(state.sites),
+            pointed=pointed,
+            pointed_row=pointed_row,
         )
     )
+
+
+def _angles(angle: NDArray[np.float64]) -> NDArray[np.float32]:
+    """(n,) float32 [rad], the same directions from -pi to pi, so that no digits are lost after many turns."""
+    return np.remainder(angle + np.pi, 2.0 * np.pi).astype(np.float32) - np.float32(np.pi)
+
+
+def _soft_places(sites: Sites) -> NDArray[np.float32]:
+    """(m, 2) float32 [length]: where the discs of flexible molecules are."""
+    return sites.position[sites.flexible[sites.owner]].astype(np.float32)
 
 
 def _warmth(simulation: Simulation) -> float:
@@ -72,7 +90,7 @@ def _warmth(simulation: Simulation) -> float:
 
 
 def find(simulation: Simulation, particle_id: int | None) -> tuple[Followed | None, int]:
-    """The disc with this id and its row, or (None, 0)."""
+    """The particle with this id and its row, or (None, 0)."""
     state = simulation.state
     if particle_id is None:
         return None, 0
@@ -80,7 +98,8 @@ def find(simulation: Simulation, particle_id: int | None) -> tuple[Followed | No
     if row >= state.count or state.id[row] != particle_id:
         return None, 0
     (x, y), (vx, vy) = state.position[row].tolist(), state.velocity[row].tolist()
-    return Followed(int(state.id[row]), int(state.species[row]), (x, y), (vx, vy)), row
+    energies = energies_of(state, row)
+    return Followed(int(state.id[row]), int(state.species[row]), (x, y), (vx, vy), energies), row
 
 
 def lit(simulation: Simulation, light: Bin) -> NDArray[np.bool_]:

@@ -9,25 +9,33 @@ A frame, little endian (offset, type, meaning):
 
 ====== ====== ==============================================================================
 0      u8     version of the format
-1      u8     flags: 1 highlight bits follow, 2 a disc is followed, 4 playing, 8 neighbours are joined by lines
+1      u8     flags: 1 highlight bits follow, 2 a particle is followed, 4 playing, 8 neighbours are joined by lines,
+              16 there are molecules, 32 a particle is pointed at
 2      u16    length of this header; the arrays begin there
 4      u32    generation of the table that this frame relies on
 8      u32    frame number
-12     u32    n, number of discs
+12     u32    n, number of particles
 16     f64    time [time]
 24     f32 2  width and height of the container [length]
-32     u32    row of the followed disc
-36     u32    id of the followed disc
+32     u32    row of the followed particle
+36     u32    id of the followed particle
 40     f32 4  its x, y [length], its velocity x, y [length/time]
 56     f32    temperature of the gas, for the colours of thermal walls; 0 if there is none [energy]
 60     u32    m, number of walls; 0 if none moves
 64     u8     what colours say: 0 species, 1 phase, 2 neighbours, 3 speed; three bytes of nothing after it
-68     -      m f32 displacements of the walls [length], n * 2 f32 positions, n * u8 species,
+68     u32    s, number of discs of flexible molecules
+72     u32    row of the particle that is pointed at
+76     u32    its id
+80     f32 5  its speed [length/time], angular velocity [rad/time], and its kinetic energies of translation, of
+              rotation and of vibration [energy]; not a number where it has none
+100    -      m f32 displacements of the walls [length], n * 2 f32 positions, if there are molecules n f32 angles [rad]
+              and s * 2 f32 positions of the discs of flexible ones, n * u8 species,
               n * u8 shades unless colours say the species, ceil(n / 8) u8 highlight bits (bit 0 first)
 ====== ====== ==============================================================================
 
-A species fits into a byte because a scenario has at most 250. A shade is 0 gas, 1 liquid, 2 solid; or 0 to 7
-neighbours, 7 for more; or from 0 at rest to 255 for the fastest (`gasbox.app.shading`).
+A species is a kind of particle, disc or molecule; it fits into a byte because a scenario has at most 250. A shade is
+0 gas, 1 liquid, 2 solid; or 0 to 7 neighbours, 7 for more; or from 0 at rest to 255 for the fastest
+(`gasbox.app.shading`).
 
 The text of kind ``table`` has a ``generation`` and what stays the same from frame to frame, as they are at the start,
 before walls are displaced:
@@ -41,35 +49,40 @@ before walls are displaced:
 - ``obstacles``: index of the ``wall``, ``shape`` (segment, polygon, disc), and ``start`` and ``end``, ``vertices``, or
   ``center`` and ``radius``;
 - ``gravity`` [x, y];
-- ``species``: ``name``, ``radius``, ``color``, and ``reach``: two discs are neighbours up to the mean of theirs.
+- ``species``: ``name``, ``radius``, ``color``, and ``reach``: two particles are neighbours up to the mean of theirs;
+- with molecules, ``discs``: ``radius`` and ``color`` of each kind of disc; and ``bodies``, one for each species: its
+  ``discs``, ``place`` [x, y] of each at angle 0, ``sticks`` [disc, disc] between them, whether it is ``flexible``, and
+  whether it ``turns``.
 
 From the browser comes JSON text only: ``{"ack": frames received, "drawn": frames drawn}``, ``{"hidden": bool}``,
-``{"drag": index of a wall, "to": displacement}``, ``{"drop": index of a wall}``.
+``{"drag": index of a wall, "to": displacement}``, ``{"drop": index of a wall}``, ``{"point": row or null}``.
 """
 
 from __future__ import annotations
 
 import json
+import math
 import struct
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.app.look import COLORINGS, REACH, Coloring, size_of
+from gasbox.app.bodies import bodies
+from gasbox.app.look import COLORINGS, REACH, Coloring, sizes_of
+from gasbox.app.molecule_numbers import Energies
 from gasbox.app.outline import outline
 from gasbox.app.sample import Followed
 from gasbox.geometry import Geometry
-from gasbox.scenario import Species
+from gasbox.scenario import Scenario
 
 __all__ = ["VERSION", "WireFrame", "decode_frame", "encode_frame", "notice", "table"]
 
-VERSION: Final = 3
+VERSION: Final = 4
 
-_HEADER: Final = struct.Struct("<BBHIIIdffIIfffffIBxxx")
-_HIGHLIGHT, _FOLLOWED, _PLAYING, _BONDS = 1, 2, 4, 8
+_HEADER: Final = struct.Struct("<BBHIIIdffIIfffffIBxxxIIIfffff")
+_HIGHLIGHT, _FOLLOWED, _PLAYING, _BONDS, _MOLECULES, _POINTED = 1, 2, 4, 8, 16, 32
 
 
 @dataclass(frozen=True)
@@ -87,6 +100,9 @@ class WireFrame:
     coloring : what the shades say
     shades : (n,) uint8, or None if `coloring` is by species
     bonds : whether neighbours are joined by lines
+    angle : (n,) float32 [rad] in a gas with molecules, else None
+    places : (s, 2) float32 [length], of the discs of flexible molecules, in the order of these; None without molecules
+    pointed : the particle that is pointed at, with its row, or None
     """
 
     generation: int
@@ -105,29 +121,24 @@ class WireFrame:
     coloring: Coloring = "species"
     shades: NDArray[np.uint8] | None = None
     bonds: bool = False
+    angle: NDArray[np.float32] | None = None
+    places: NDArray[np.float32] | None = None
+    pointed: Followed | None = None
+    pointed_row: int = 0
 
 
 def encode_frame(frame: WireFrame) -> bytes:
     """The bytes of one frame."""
-    flags = (_PLAYING if frame.playing else 0) | (_BONDS if frame.bonds else 0)
-    tail: tuple[float, ...] = (0, 0, 0.0, 0.0, 0.0, 0.0)
-    if frame.highlight is not None:
-        flags |= _HIGHLIGHT
-    if frame.followed is not None:
-        flags |= _FOLLOWED
-        tail = (frame.row, frame.followed.id, *frame.followed.position, *frame.followed.velocity)
-    count = frame.species.shape[0]
+    places = np.zeros((0, 2), np.float32) if frame.places is None else frame.places
     head = _HEADER.pack(
-        VERSION, flags, _HEADER.size, frame.generation, frame.number & 0xFFFFFFFF, count,
-        frame.time, frame.width, frame.height, *tail, frame.temperature, frame.displacement.size,
-        COLORINGS.index("species" if frame.shades is None else frame.coloring),
+        VERSION, _flags(frame), _HEADER.size, frame.generation, frame.number & 0xFFFFFFFF, frame.species.shape[0],
+        frame.time, frame.width, frame.height, *_followed(frame), frame.temperature, frame.displacement.size,
+        COLORINGS.index("species" if frame.shades is None else frame.coloring), places.shape[0], *_pointed(frame),
     )  # fmt: skip
-    parts = [
-        head,
-        frame.displacement.astype("<f4").tobytes(),
-        frame.position.astype("<f4").tobytes(),
-        frame.species.astype("u1").tobytes(),
-    ]
+    parts = [head, frame.displacement.astype("<f4").tobytes(), frame.position.astype("<f4").tobytes()]
+    if frame.angle is not None:
+        parts += [frame.angle.astype("<f4").tobytes(), places.astype("<f4").tobytes()]
+    parts.append(frame.species.astype("u1").tobytes())
     if frame.shades is not None:
         parts.append(frame.shades.astype("u1").tobytes())
     if frame.highlight is not None:
@@ -135,8 +146,35 @@ def encode_frame(frame: WireFrame) -> bytes:
     return b"".join(parts)
 
 
+def _flags(frame: WireFrame) -> int:
+    said = {
+        _HIGHLIGHT: frame.highlight is not None,
+        _FOLLOWED: frame.followed is not None,
+        _PLAYING: frame.playing,
+        _BONDS: frame.bonds,
+        _MOLECULES: frame.angle is not None,
+        _POINTED: frame.pointed is not None,
+    }
+    return sum(flag for flag, holds in said.items() if holds)
+
+
+def _followed(frame: WireFrame) -> tuple[float, ...]:
+    if frame.followed is None:
+        return (0, 0, 0.0, 0.0, 0.0, 0.0)
+    return (frame.row, frame.followed.id, *frame.followed.position, *frame.followed.velocity)
+
+
+def _pointed(frame: WireFrame) -> tuple[float, ...]:
+    if frame.pointed is None:
+        return (0, 0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    had = frame.pointed.energies or Energies(math.nan)
+    parts = (had.angular_velocity, had.translational, had.rotational, had.vibrational)
+    numbers = (math.nan if part is None else part for part in parts)
+    return (frame.pointed_row, frame.pointed.id, frame.pointed.speed, *numbers)
+
+
 def decode_frame(message: bytes) -> WireFrame:
-    """The frame in a binary message.
+    """The frame in a binary message, without what is pointed at.
 
     Raises
     ------
@@ -145,78 +183,82 @@ def decode_frame(message: bytes) -> WireFrame:
     """
     if len(message) < _HEADER.size or message[0] != VERSION:
         raise ValueError(f"not a frame of version {VERSION}")
-    (
-        _,
-        flags,
-        header,
-        generation,
-        number,
-        count,
-        time,
-        width,
-        height,
-        row,
-        disc,
-        x,
-        y,
-        vx,
-        vy,
-        warmth,
-        walls,
-        coloring,
-    ) = _HEADER.unpack_from(message)
-    bits = (count + 7) // 8 if flags & _HIGHLIGHT else 0
-    start = header + 4 * walls
-    tail_at = start + (10 if coloring else 9) * count
-    if len(message) != tail_at + bits:
-        raise ValueError(f"a frame of {count} discs has {tail_at + bits} bytes, not {len(message)}")
-    displacement = np.frombuffer(message, "<f4", walls, header)
-    position = np.frombuffer(message, "<f4", 2 * count, start).reshape(count, 2)
-    species = np.frombuffer(message, "u1", count, start + 8 * count)
-    shades = np.frombuffer(message, "u1", count, start + 9 * count) if coloring else None
-    packed = np.frombuffer(message, "u1", bits, tail_at)
-    highlight = np.unpackbits(packed, count=count, bitorder="little").astype(bool) if bits else None
-    if flags & _HIGHLIGHT and highlight is None:
-        highlight = np.zeros(0, dtype=bool)
+    fields = _HEADER.unpack_from(message)
+    flags, header, generation, number, count, time, width, height = fields[1:9]
+    row, disc, x, y, vx, vy, warmth, walls, coloring, soft = fields[9:19]
+    read = _Reader(message, header)
+    displacement = read.take("<f4", walls)
+    position = read.take("<f4", 2 * count).reshape(count, 2)
+    angle = read.take("<f4", count) if flags & _MOLECULES else None
+    places = read.take("<f4", 2 * soft).reshape(soft, 2) if flags & _MOLECULES else None
+    species = read.take("u1", count)
+    shades = read.take("u1", count) if coloring else None
+    packed = read.take("u1", (count + 7) // 8) if flags & _HIGHLIGHT else None
+    read.end()
     followed = None
     if flags & _FOLLOWED:
         kind = int(species[row]) if row < count else 0
         followed = Followed(disc, kind, (x, y), (vx, vy))
     return WireFrame(
-        generation,
-        number,
-        time,
-        width,
-        height,
-        bool(flags & _PLAYING),
-        position,
-        species,
-        highlight,
-        followed,
-        row,
-        warmth,
-        displacement,
-        COLORINGS[coloring],
-        shades,
-        bool(flags & _BONDS),
+        generation=generation,
+        number=number,
+        time=time,
+        width=width,
+        height=height,
+        playing=bool(flags & _PLAYING),
+        position=position,
+        species=species,
+        highlight=None
+        if packed is None
+        else np.unpackbits(packed, count=count, bitorder="little").astype(bool),
+        followed=followed,
+        row=row,
+        temperature=warmth,
+        displacement=displacement,
+        coloring=COLORINGS[coloring],
+        shades=shades,
+        bonds=bool(flags & _BONDS),
+        angle=angle,
+        places=places,
     )
 
 
-def table(generation: int, geometry: Geometry, species: Sequence[Species], *, handles: bool = True) -> str:
-    """The text message with what stays the same from frame to frame: the surroundings and the species."""
+class _Reader:
+    """Takes one array after the other from a message."""
+
+    def __init__(self, message: bytes, start: int) -> None:
+        self._message, self._at = message, start
+
+    def take(self, kind: str, count: int) -> NDArray[Any]:
+        """The next so many numbers."""
+        size = count * np.dtype(kind).itemsize
+        if self._at + size > len(self._message):
+            raise ValueError(f"a frame cut short: {len(self._message)} bytes")
+        self._at += size
+        return np.frombuffer(self._message, kind, count, self._at - size)
+
+    def end(self) -> None:
+        """There must be nothing after it."""
+        if self._at != len(self._message):
+            raise ValueError(f"a frame of {self._at} bytes, not {len(self._message)}")
+
+
+def table(generation: int, geometry: Geometry, scenario: Scenario, *, handles: bool = True) -> str:
+    """The text message with what stays the same from frame to frame: the surroundings and the kinds of particle."""
     return notice(
         "table",
         generation=generation,
         **outline(geometry, handles=handles),
         species=[
             {
-                "name": one.name,
-                "radius": float(one.radius),
-                "color": str(one.color),
-                "reach": REACH * size_of(one),
+                "name": kind.name,
+                "radius": float(kind.radius),
+                "color": str(kind.color),
+                "reach": REACH * size,
             }
-            for one in species
+            for kind, size in zip(scenario.kinds, sizes_of(scenario), strict=True)
         ],
+        **bodies(scenario),
     )
 
 

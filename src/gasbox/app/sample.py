@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from gasbox.app.molecule_numbers import Energies
 from gasbox.geometry import Geometry
 from gasbox.scenario import Scenario
 from gasbox.state import Change, State, Tallies
@@ -62,12 +63,20 @@ class Bin:
 
 @dataclass(frozen=True)
 class Followed:
-    """The disc that is being followed: id, species, position [length] and velocity [length/time]."""
+    """The particle that is being followed, or pointed at.
+
+    Attributes
+    ----------
+    species : index into the scenario's kinds
+    position, velocity : of its centre of mass [length], [length/time]
+    energies : what it has; None where they were not asked for
+    """
 
     id: int
     species: int
     position: tuple[float, float]
     velocity: tuple[float, float]
+    energies: Energies | None = None
 
     @property
     def speed(self) -> float:

@@ -107,8 +107,6 @@ class Session:
         """How discs are shown."""
         return self._wishes.look
 
-    # -- orders ------------------------------------------------------------------------------------------
-
     def start(self, simulation: Simulation | None = None) -> None:
         """Begin to work, with a gas that is at hand or a new one. Does not wait; once is enough.
 
@@ -221,8 +219,13 @@ class Session:
         self._order(self._show.publish)
 
     def follow(self, particle_id: int | None) -> None:
-        """Follow one disc, or none; an id that does not exist is none."""
+        """Follow one particle, or none; an id that does not exist is none."""
         self._wishes.followed_id = particle_id
+        self._order(self._show.publish)
+
+    def point(self, row: Any) -> None:
+        """Tell about the particle in this row with each frame; about none for anything that is no row."""
+        self._wishes.pointed_id = self.id_of_row(row)
         self._order(self._show.publish)
 
     def followed(self) -> Followed | None:
@@ -248,8 +251,6 @@ class Session:
         if not isinstance(row, int) or sample is None or not 0 <= row < sample.state.count:
             return None
         return int(sample.state.id[row])
-
-    # -- browsers and pages ---------------------------------------------------------------------------
 
     def attach(self, mailbox: Mailbox) -> None:
         """Send frames to this mailbox from now on, and no longer to an earlier one."""
@@ -277,8 +278,6 @@ class Session:
             self._worker.join(5.0)
             self._show.let_go()
 
-    # -- inside the thread -------------------------------------------------------------------------------
-
     def _order(self, order: Callable[[], _T]) -> Future[_T]:
         if self._worker is not None:
             return self._worker.ask(order)
@@ -295,5 +294,5 @@ class Session:
 
     def _install(self, simulation: Simulation, scenario: Scenario) -> None:
         self._scenario = scenario
-        self._wishes.light = self._wishes.followed_id = None
+        self._wishes.light = self._wishes.followed_id = self._wishes.pointed_id = None
         self._show.install(simulation)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox import observe
-from gasbox.app.look import REACH, Coloring, mean_size
+from gasbox.app.look import REACH, Coloring, mean_size, sizes_of
 from gasbox.state import State
 
 if TYPE_CHECKING:
@@ -87,9 +87,9 @@ class Shading:
         state = simulation.state
         if coloring == "speed":
             return of_speed(state, self._reference or observe.rms_speed(state) or 1.0)
-        species = simulation.scenario.species
-        counts = np.bincount(state.species, minlength=len(species)).tolist()
-        reach = REACH * mean_size(species, counts)
+        sizes = sizes_of(simulation.scenario)
+        counts = np.bincount(state.species, minlength=len(sizes)).tolist()
+        reach = REACH * mean_size(sizes, counts)
         geometry = simulation.geometry
         if coloring == "phase":
             return observe.phases(state, geometry, reach).astype(np.uint8)

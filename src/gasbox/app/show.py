@@ -32,6 +32,7 @@ class Wishes:
     speed: float = 1.0
     light: Bin | None = None
     followed_id: int | None = None
+    pointed_id: int | None = None
     hands: dict[int, float] = field(default_factory=dict)
     """Where hands are that have just moved a wall: index of the wall -> displacement [length]."""
     look: Look = field(default_factory=Look)
@@ -216,6 +217,7 @@ class Show:
                     playing=wishes.playing,
                     light=wishes.light,
                     followed_id=wishes.followed_id,
+                    pointed_id=wishes.pointed_id,
                     look=wishes.look,
                     shades=self._shading.of(simulation, wishes.look.coloring, exact=not wishes.playing),
                 )

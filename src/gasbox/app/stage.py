@@ -52,7 +52,7 @@ class Caption:
             self._followed.set_visibility(followed is not None)
         if followed is None:
             return
-        species = scenario.species[followed.species]
+        species = scenario.kinds[followed.species]
         self._dot.style(f"background:{species.color}")
         text = f"{species.name} no. {followed.id} · speed {number(followed.speed)}"
         if self._text.text != text:

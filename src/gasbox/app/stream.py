@@ -127,4 +127,6 @@ async def _listen(socket: WebSocket, session: Session, mailbox: Mailbox) -> None
             session.drag(int(message["drag"]), float(message["to"]))
         if "drop" in message:
             session.drop(int(message["drop"]))
+        if "point" in message:
+            session.point(message["point"])
         session.wake()

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from gasbox.app.aims import has_forces
-from gasbox.app.look import REACH, mean_size
+from gasbox.app.look import REACH, mean_size, sizes_of
 from gasbox.app.sample import Sample
 from gasbox.app.studies_over_time import OverTime
 from gasbox.app.study import INK, PHASE_COLORS, Axis, Picture, Trace
@@ -39,9 +39,9 @@ _FASTEST: Final = 3.0
 
 def reach_of(sample: Sample) -> float:
     """How near neighbours are, in the mean over all discs [length]."""
-    species = sample.scenario.species
-    counts = np.bincount(sample.state.species, minlength=len(species)).tolist()
-    return REACH * mean_size(species, counts)
+    sizes = sizes_of(sample.scenario)
+    counts = np.bincount(sample.state.species, minlength=len(sizes)).tolist()
+    return REACH * mean_size(sizes, counts)
 
 
 class Pairs:
@@ -83,7 +83,7 @@ class Pairs:
         size = reach_of(sample) / REACH
         half = 0.5 * float(sample.geometry.at(sample.state.wall_displacement).size.min())
         farthest = float(f"{min(_FARTHEST * size, half):.3g}")
-        return RadialDistribution(sample.geometry, len(sample.scenario.species), _BINS, farthest)
+        return RadialDistribution(sample.geometry, len(sample.scenario.kinds), _BINS, farthest)
 
     def picture(self) -> Picture | None:
         """See `gasbox.app.study.Study`."""
@@ -91,7 +91,7 @@ class Pairs:
         if not self._averages or sample is None:
             return None
         found = self._averages[0].value()
-        species = sample.scenario.species
+        species = sample.scenario.kinds
         if 1 < len(species) <= _MOST_SPECIES:
             curves = [
                 (f"{one.name}, {other.name}", found.g[a, a + b], str(one.color) if b == 0 else None)

@@ -94,7 +94,7 @@ class Density(AlongAxis):
             return None
         traces = [
             _trace(species.name, str(species.color), profiles, one.mean, one.error)
-            for species, one in zip(sample.scenario.species, profiles.density, strict=True)
+            for species, one in zip(sample.scenario.kinds, profiles.density, strict=True)
         ]
         traces += barometric(sample, profiles)
         return Picture(self._place(profiles), Axis(f"discs per area  (1/{UNIT['area']})", 0.0), traces)
@@ -109,10 +109,10 @@ def barometric(sample: Sample, profiles: Profiles) -> list[Trace]:
     pull = geometry.gravity[along]
     if pull == 0.0 or abs(geometry.gravity[1 - along]) > 1e-9 * abs(pull) or geometry.periodic[along]:
         return []
-    counts = np.bincount(sample.state.species, minlength=len(sample.scenario.species))
+    counts = np.bincount(sample.state.species, minlength=len(sample.scenario.kinds))
     alone = np.count_nonzero(counts) == 1
     traces = []
-    for species, one in enumerate(sample.scenario.species):
+    for species, one in enumerate(sample.scenario.kinds):
         room = geometry.accessible_size(one.radius)
         height, width = room[along], room[1 - along]
         if not counts[species] or height <= 0.0 or width <= 0.0:

@@ -110,7 +110,9 @@ def _expected(start: Sample, areas: NDArray[np.float64]) -> list[Trace]:
     """What a slow change would give, without heat or beside walls of one temperature; of species of one size."""
     geometry, warmth = start.geometry, temperature(start.state, start.geometry)
     sizes = {radii(start.scenario)[species] for species in np.unique(start.state.species)}
-    if not isinstance(geometry, Enclosure) or not warmth or len(sizes) != 1 or any(geometry.gravity):
+    if start.scenario.molecules or not isinstance(geometry, Enclosure) or not warmth:
+        return []
+    if len(sizes) != 1 or any(geometry.gravity):
         return []
     warm = {wall.temperature for wall in geometry.walls if wall.temperature is not None}
     if len(warm) > 1 or any(wall.open for wall in geometry.walls):
@@ -130,8 +132,8 @@ def _expected(start: Sample, areas: NDArray[np.float64]) -> list[Trace]:
 
 
 def _isotherm(start: Sample, areas: NDArray[np.float64], warmth: float) -> NDArray[np.float64]:
-    counts = np.bincount(start.state.species, minlength=len(start.scenario.species))
-    masses = [species.mass for species in start.scenario.species]
+    counts = np.bincount(start.state.species, minlength=len(start.scenario.kinds))
+    masses = [species.mass for species in start.scenario.kinds]
     gases = [mixture.Mixture.of(counts, masses, radii(start.scenario), float(area)) for area in areas]
     return np.array([mixture.pressure(gas, warmth) for gas in gases], np.float64)
 

@@ -93,7 +93,7 @@ class OverTime:
 
 
 def _species(sample: Sample) -> list[tuple[str, str | None]]:
-    return [(species.name, str(species.color)) for species in sample.scenario.species]
+    return [(species.name, str(species.color)) for species in sample.scenario.kinds]
 
 
 class Energy(OverTime):
@@ -155,7 +155,7 @@ class Centers(OverTime):
         along = "xy".index(axis_of(sample))
         found = [
             center_of_mass(sample.state, sample.geometry, species)
-            for species in range(len(sample.scenario.species))
+            for species in range(len(sample.scenario.kinds))
         ]
         return tuple(np.nan if center is None else float(center[along]) for center in found)
 
@@ -198,7 +198,7 @@ class Sides(OverTime):
     def row(self, sample: Sample, lately: Lately | None) -> tuple[float, ...]:
         """Behind and ahead, species by species."""
         line, _ = divider(sample)
-        counts = side_counts(sample.state, line, len(sample.scenario.species))
+        counts = side_counts(sample.state, line, len(sample.scenario.kinds))
         return tuple(float(count) for count in counts.ravel())
 
     def curves(self, sample: Sample) -> list[tuple[str, str | None]]:
@@ -219,7 +219,7 @@ class Mixing(OverTime):
 
     def suits(self, sample: Sample) -> bool:
         """There is something to mix."""
-        return len(sample.scenario.species) > 1
+        return len(sample.scenario.kinds) > 1
 
     def is_wanted(self, sample: Sample) -> bool:
         """There is a divider, and something to mix."""
@@ -227,7 +227,7 @@ class Mixing(OverTime):
 
     def row(self, sample: Sample, lately: Lately | None) -> tuple[float, ...]:
         """Entropy, and the greatest that it can have."""
-        counts = side_counts(sample.state, divider(sample)[0], len(sample.scenario.species))
+        counts = side_counts(sample.state, divider(sample)[0], len(sample.scenario.kinds))
         return mixing_entropy(counts), greatest_mixing_entropy(counts)
 
     def curves(self, sample: Sample) -> list[tuple[str, str | None]]:

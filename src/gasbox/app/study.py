@@ -89,5 +89,5 @@ class Study(Protocol):
 
 
 def radii(scenario: Scenario) -> NDArray[np.float64]:
-    """(species,) float64 [length]."""
-    return np.array([species.radius for species in scenario.species], np.float64)
+    """(kinds,) float64 [length]: how far each reaches from its centre, in the mean over all directions."""
+    return np.array([kind.half_width for kind in scenario.kinds], np.float64)

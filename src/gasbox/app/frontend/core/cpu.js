@@ -2,7 +2,9 @@
 import { BOND_WIDTH, bondsOf, shareOf } from "./bonds.js";
 import { blend, pack } from "./color.js";
 import { stroke } from "./cpu_lines.js";
+import { stick } from "./cpu_sticks.js";
 import { Ground } from "./ground.js";
+import { discsOf, sticksOf } from "./molecules.js";
 import { extent } from "./outline.js";
 import { shadesOf } from "./shades.js";
 import { PHASES, makeSprites } from "./sprites.js";
@@ -33,6 +35,7 @@ export class CpuRenderer {
     if (scene.frame) {
       this.bonds(scene);
       this.discs(scene);
+      this.sticks(scene);
     }
     this.context.putImageData(this.image, 0, 0);
   }
@@ -81,32 +84,43 @@ export class CpuRenderer {
 
   bonds(scene) {
     const { frame, table, view, theme } = scene;
-    const lines = bondsOf(frame, table);
+    this.lines(scene, bondsOf(frame, table), stroke, BOND_WIDTH * view.ratio, theme.bond);
+  }
+
+  sticks(scene) {
+    for (const { lines, width } of sticksOf(scene.frame, scene.table, scene.view)) {
+      this.lines(scene, lines, stick, width, scene.theme.stick);
+    }
+  }
+
+  // lines: [x, y, x, y] for each, in box coordinates; width in pixels; draw(target, x, y, x, y, width, color)
+  lines(scene, lines, draw, width, rgb) {
     if (!lines.length) return;
     const target = this.target(scene);
-    const color = pack(theme.bond);
-    const { scale, originX, originY, ratio } = view;
+    const color = pack(rgb);
+    const { scale, originX, originY } = scene.view;
     for (let k = 0; k < lines.length; k += 4) {
       const x0 = originX + lines[k] * scale;
       const y0 = originY - lines[k + 1] * scale;
       const x1 = originX + lines[k + 2] * scale;
       const y1 = originY - lines[k + 3] * scale;
-      stroke(target, x0, y0, x1, y1, BOND_WIDTH * ratio, color);
+      draw(target, x0, y0, x1, y1, width, color);
     }
   }
 
   discs(scene) {
     const { frame, table, view } = scene;
-    const { position, species, highlight, count } = frame;
-    const shades = shadesOf(frame);
+    const discs = discsOf(frame, table);
+    const { position, species, highlight, count } = discs;
+    const shades = shadesOf(discs);
     const { scale, originX, originY } = view;
-    const kinds = table.radii.length;
+    const kinds = discs.radii.length;
     const target = this.target(scene);
     const strong = Uint32Array.from(scene.palette.strong, pack);
     const dim = Uint32Array.from(scene.palette.dim, pack);
     const share = shareOf(frame) * scale;
-    const radii = Float64Array.from(table.radii, (r) => r * share);
-    const sprites = Array.from(radii, (r) => (r <= STAMPED ? this.sprites(r) : null));
+    const radii = Float64Array.from(discs.radii, (r) => r * share);
+    const sprites = Array.from(radii, (r) => (r > 0 && r <= STAMPED ? this.sprites(r) : null));
     const { periodicX, periodicY } = table;
     const [left, bottom, right, top] = extent(table, frame);
     const spanX = (right - left) * scale;

@@ -1,17 +1,19 @@
 // Wheel and pinch zoom, drag to move (a wall by its handle, else the view), double click or "0" to see all again, click to
-// pick a disc.
+// pick a particle, point with a mouse to read its numbers.
+import { discsOf } from "./molecules.js";
 import { extent } from "./outline.js";
 
 const CLICK = 5; // CSS pixels that a finger may slip and still click
 
 export class Gestures {
-  // onView() after a change of the view; onPick(px, py) in device pixels; handles: of walls, see handles.js.
-  constructor(element, view, handles, { onView, onPick }) {
+  // onView() after a change of the view; onPick(px, py) in device pixels; onPoint likewise, or without them; handles: of walls, see handles.js.
+  constructor(element, view, handles, { onView, onPick, onPoint }) {
     this.element = element;
     this.view = view;
     this.handles = handles;
     this.onView = onView;
     this.onPick = onPick;
+    this.onPoint = onPoint;
     this.pointers = new Map();
     this.ender = new AbortController();
     const on = (type, handler, options) =>
@@ -21,6 +23,7 @@ export class Gestures {
     on("pointermove", this.move);
     on("pointerup", this.up);
     on("pointercancel", this.cancel);
+    on("pointerleave", () => this.onPoint());
     on("dblclick", this.reset);
     on("touchstart", this.touch, { passive: false });
     window.addEventListener("keydown", (event) => this.key(event), { signal: this.ender.signal });
@@ -64,7 +67,7 @@ export class Gestures {
     }
     const before = this.pointers.get(event.pointerId);
     if (!before) {
-      if (event.pointerType === "mouse") this.element.style.cursor = this.handles.cursor(...this.place(event));
+      if (event.pointerType === "mouse") this.hover(...this.place(event));
       return;
     }
     const now = this.place(event);
@@ -75,6 +78,11 @@ export class Gestures {
       this.changed();
     }
     this.pointers.set(event.pointerId, now);
+  }
+
+  hover(px, py) {
+    this.element.style.cursor = this.handles.cursor(px, py);
+    this.onPoint(px, py);
   }
 
   pinch(id, before, now) {
@@ -125,22 +133,23 @@ export class Gestures {
   }
 }
 
-// Row of the disc at a place in the box, or null. Small discs may be missed by `slack` [length].
+// Row of the particle at a place in the box, or null. Small discs may be missed by `slack` [length].
 export function pick(frame, table, x, y, slack) {
   const [left, bottom, right, top] = extent(table, frame);
   const [width, height] = [right - left, top - bottom];
+  const { count, position, species, radii, owner } = discsOf(frame, table);
   let best = null;
   let least = Infinity;
-  for (let i = 0; i < frame.count; i++) {
-    let dx = Math.abs(frame.position[2 * i] - x);
-    let dy = Math.abs(frame.position[2 * i + 1] - y);
-    if (table.periodicX) dx = Math.min(dx, width - dx);
-    if (table.periodicY) dy = Math.min(dy, height - dy);
+  for (let i = 0; i < count; i++) {
+    let dx = Math.abs(position[2 * i] - x);
+    let dy = Math.abs(position[2 * i + 1] - y);
+    if (table.periodicX) dx = Math.min(dx, Math.abs(width - dx));
+    if (table.periodicY) dy = Math.min(dy, Math.abs(height - dy));
     const distance = dx * dx + dy * dy;
-    const reach = Math.max(table.radii[frame.species[i]], slack);
+    const reach = Math.max(radii[species[i]], slack);
     if (distance <= reach * reach && distance < least) {
       least = distance;
-      best = i;
+      best = owner ? owner[i] : i;
     }
   }
   return best;

@@ -6,11 +6,12 @@ import { Message } from "./message.js";
 import { grown, reach } from "./outline.js";
 import { Trail, drawOverlay } from "./overlay.js";
 import { chooseRenderer } from "./probe.js";
-import { decodeFrame, decodeTable, encodeDrag, encodeDrop } from "./protocol.js";
+import { decodeFrame, decodeTable, encodeDrag, encodeDrop, encodePoint } from "./protocol.js";
 import { palettes } from "./shades.js";
 import { FrameSocket } from "./socket.js";
 import { Stats } from "./stats.js";
 import { installStyle, readTheme, watchTheme } from "./theme.js";
+import { Tip } from "./tip.js";
 import { View } from "./view.js";
 import { GlRenderer } from "./webgl2.js";
 
@@ -44,6 +45,7 @@ class Lab {
     this.view = new View();
     this.trail = new Trail();
     this.message = new Message(element);
+    this.tip = new Tip(element);
     this.renderer = this.makeRenderer(chooseRenderer(renderer));
     this.stats = window.gasboxStats = new Stats(this.renderer.name);
     this.table = this.frame = null;
@@ -58,6 +60,7 @@ class Lab {
     this.gestures = new Gestures(element, this.view, this.handles, {
       onView: () => this.schedule(),
       onPick: (px, py) => this.picked(px, py),
+      onPoint: (px, py) => this.point(px === undefined ? null : this.rowAt(px, py)),
     });
     this.restyle();
     this.socket = new FrameSocket(session, {
@@ -129,7 +132,7 @@ class Lab {
     const room = reach(table);
     this.table = table;
     if (!same) {
-      this.frame = null;
+      this.frame = this.pointed = null;
       this.trail.forget();
     }
     this.show(same ? room.map((end, k) => (k < 2 ? Math.min : Math.max)(end, this.view.room[k])) : room);
@@ -187,6 +190,7 @@ class Lab {
     const scene = this.scene();
     this.renderer.draw(scene);
     drawOverlay(this.renderer.overlay, scene);
+    this.tip.show(scene);
   }
 
   scene() {
@@ -196,9 +200,21 @@ class Lab {
   }
 
   picked(px, py) {
-    if (!this.frame) return;
+    if (this.frame) this.onPick?.(this.rowAt(px, py));
+  }
+
+  // Row of the particle at a pixel, or null.
+  rowAt(px, py) {
+    if (!this.frame) return null;
     const [x, y] = this.view.toBox(px, py);
-    this.onPick?.(pick(this.frame, this.table, x, y, (SLACK * this.view.ratio) / this.view.scale));
+    return pick(this.frame, this.table, x, y, (SLACK * this.view.ratio) / this.view.scale);
+  }
+
+  // What is pointed at stays so, wherever it flies, until the pointer moves on.
+  point(row) {
+    if (row === this.pointed) return;
+    this.pointed = row;
+    this.socket.send(encodePoint(row));
   }
 
   resetView() {

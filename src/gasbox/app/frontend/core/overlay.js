@@ -1,5 +1,6 @@
 // Lines over the discs: walls, ring and trail.
 import { shareOf } from "./bonds.js";
+import { discsOf, sticksOf } from "./molecules.js";
 import { extent } from "./outline.js";
 import { shadesOf } from "./shades.js";
 import { drawWalls } from "./walls.js";
@@ -34,19 +35,47 @@ function trail(context, { trail, view, theme, table, frame }) {
   context.globalAlpha = 1;
 }
 
-// A ring around the followed disc, and the disc itself once more, over its trail.
+// A ring around the followed particle, and its discs once more, over its trail.
 function ring(context, { frame, view, theme, table, palette }) {
   if (!frame?.followed) return;
   const { row } = frame.followed;
-  const x = view.originX + frame.followed.x * view.scale;
-  const y = view.originY - frame.followed.y * view.scale;
-  const radius = (table.radii[frame.species[row]] ?? 0) * view.scale * shareOf(frame);
-  context.fillStyle = `rgb(${palette.strong[shadesOf(frame)[row]] ?? [128, 128, 128]})`;
-  circle(context, x, y, radius);
-  context.fill();
+  const discs = discsOf(frame, table);
+  const share = view.scale * shareOf(frame);
+  for (const k of discsOfRow(discs, row)) {
+    const [x, y] = view.toCanvas(discs.position[2 * k], discs.position[2 * k + 1]);
+    context.fillStyle = `rgb(${palette.strong[shadesOf(discs)[k]] ?? [128, 128, 128]})`;
+    circle(context, x, y, discs.radii[discs.species[k]] * share);
+    context.fill();
+  }
+  sticks(context, { frame, view, theme, table }, row);
+  const [x, y] = view.toCanvas(frame.followed.x, frame.followed.y);
+  const reach = (table.radii[frame.species[row]] ?? 0) * (discs.owner ? view.scale : share);
   context.strokeStyle = theme.ring;
   context.lineWidth = 2 * view.ratio;
-  circle(context, x, y, radius + 3 * view.ratio);
+  circle(context, x, y, reach + 3 * view.ratio);
+  context.stroke();
+}
+
+function discsOfRow({ owner, count }, row) {
+  if (!owner) return [row];
+  const mine = [];
+  for (let k = 0; k < count; k++) if (owner[k] === row) mine.push(k);
+  return mine;
+}
+
+function sticks(context, { frame, view, theme, table }, row) {
+  const mine = sticksOf(frame, table, view).find(({ kind }) => kind === frame.species[row]);
+  if (!mine) return;
+  const { position, first } = discsOf(frame, table);
+  context.lineCap = "round";
+  context.lineWidth = mine.width;
+  context.strokeStyle = `rgb(${theme.stick})`;
+  context.beginPath();
+  for (const pair of table.bodies[mine.kind].sticks) {
+    const [from, to] = pair.map((k) => 2 * (first[row] + k));
+    context.moveTo(...view.toCanvas(position[from], position[from + 1]));
+    context.lineTo(...view.toCanvas(position[to], position[to + 1]));
+  }
   context.stroke();
 }
 

@@ -1,12 +1,15 @@
 // The wire format, twin of app/protocol.py, where it is described.
+import { readBodies } from "./molecules.js";
 import { readOutline } from "./outline.js";
 
-export const VERSION = 3;
+export const VERSION = 4;
 const HIGHLIGHT = 1;
 const FOLLOWED = 2;
 const PLAYING = 4;
 const BONDS = 8;
-const HEADER = 68;
+const MOLECULES = 16;
+const POINTED = 32;
+const HEADER = 100;
 
 // A frame from an ArrayBuffer. The arrays are views into it. Throws if it is no frame of this version.
 export function decodeFrame(buffer) {
@@ -20,10 +23,14 @@ export function decodeFrame(buffer) {
   const walls = head.getUint32(60, true);
   const start = header + 4 * walls;
   const coloring = head.getUint8(64);
-  const tail = start + (coloring ? 10 : 9) * count;
+  const molecules = (flags & MOLECULES) !== 0;
+  const soft = head.getUint32(68, true);
+  const places = start + (molecules ? 12 : 8) * count;
+  const bytes = places + (molecules ? 8 * soft : 0);
+  const tail = bytes + (coloring ? 2 : 1) * count;
   const bits = flags & HIGHLIGHT ? (count + 7) >> 3 : 0;
   if (buffer.byteLength !== tail + bits) {
-    throw new Error(`a frame of ${count} discs has ${tail + bits} bytes, not ${buffer.byteLength}`);
+    throw new Error(`a frame of ${count} particles has ${tail + bits} bytes, not ${buffer.byteLength}`);
   }
   return {
     generation: head.getUint32(4, true),
@@ -36,12 +43,15 @@ export function decodeFrame(buffer) {
     playing: (flags & PLAYING) !== 0,
     displacement: new Float32Array(buffer, header, walls),
     position: new Float32Array(buffer, start, 2 * count),
-    species: new Uint8Array(buffer, start + 8 * count, count),
+    angle: molecules ? new Float32Array(buffer, start + 8 * count, count) : null,
+    places: molecules ? new Float32Array(buffer, places, 2 * soft) : null,
+    species: new Uint8Array(buffer, bytes, count),
     coloring,
-    shades: coloring ? new Uint8Array(buffer, start + 9 * count, count) : null,
+    shades: coloring ? new Uint8Array(buffer, bytes + count, count) : null,
     bonds: (flags & BONDS) !== 0,
     highlight: flags & HIGHLIGHT ? new Uint8Array(buffer, tail, bits) : null,
     followed: flags & FOLLOWED ? followed(head) : null,
+    pointed: flags & POINTED ? pointed(head) : null,
   };
 }
 
@@ -56,6 +66,19 @@ function followed(head) {
   };
 }
 
+// Numbers that a particle does not have are NaN.
+function pointed(head) {
+  return {
+    row: head.getUint32(72, true),
+    id: head.getUint32(76, true),
+    speed: head.getFloat32(80, true),
+    angularVelocity: head.getFloat32(84, true),
+    translational: head.getFloat32(88, true),
+    rotational: head.getFloat32(92, true),
+    vibrational: head.getFloat32(96, true),
+  };
+}
+
 // The table message in the form that drawing needs: typed arrays, one entry per species, and the lines of the walls.
 export function decodeTable(message) {
   return {
@@ -65,6 +88,7 @@ export function decodeTable(message) {
     colors: message.species.map((one) => one.color),
     radii: Float64Array.from(message.species, (one) => one.radius),
     reaches: Float64Array.from(message.species, (one) => one.reach),
+    ...readBodies(message),
   };
 }
 
@@ -78,6 +102,10 @@ export function encodeHidden(hidden) {
 
 export function encodeDrag(wall, displacement) {
   return JSON.stringify({ drag: wall, to: displacement });
+}
+
+export function encodePoint(row) {
+  return JSON.stringify({ point: row });
 }
 
 export function encodeDrop(wall) {

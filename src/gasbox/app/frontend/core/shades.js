@@ -1,6 +1,8 @@
 // Colours of discs: those of their species, or shades that say their phase, number of neighbours or speed.
 import { mix, parse } from "./color.js";
+import { KINDS } from "./molecules.js";
 
+const PALE = 0.55; // share of the background in the full size of the atoms of molecules
 const DIMMED = 0.8; // share of the background in discs that are not highlighted
 const PHASES = ["gas", "liquid", "solid"];
 const NEIGHBOURS = 8;
@@ -9,12 +11,20 @@ const LEVELS = 256;
 // One palette { strong, dim: [r, g, b] each } for each way of colouring, in the order of their numbers on the wire.
 export function palettes(table, theme) {
   const all = [
-    table.colors.map((color) => parse(color)),
+    (table.discs ?? table).colors.map((color) => parse(color)),
     PHASES.map((name) => theme.shade(name)),
     Array.from({ length: NEIGHBOURS }, (_, k) => theme.shade(`neighbours-${k}`)),
     ramp(theme.shade("slow"), theme.shade("medium"), theme.shade("fast")),
   ];
-  return all.map((strong) => ({ strong, dim: strong.map((color) => mix(color, theme.box, DIMMED)) }));
+  return all.map((plain) => {
+    const strong = table.bodies ? withPale(plain, theme) : plain;
+    return { strong, dim: strong.map((color) => mix(color, theme.box, DIMMED)) };
+  });
+}
+
+function withPale(plain, theme) {
+  const room = Array.from({ length: KINDS }, (_, k) => plain[k] ?? plain[0]);
+  return [...room, ...room.map((color) => mix(color, theme.box, PALE))];
 }
 
 function ramp(low, middle, high) {
@@ -24,7 +34,7 @@ function ramp(low, middle, high) {
   });
 }
 
-// What picks a disc's colour from the palette.
-export function shadesOf(frame) {
-  return frame.shades ?? frame.species;
+// What picks a disc's colour from the palette; `discs` as in molecules.js.
+export function shadesOf(discs) {
+  return discs.shades ?? discs.species;
 }

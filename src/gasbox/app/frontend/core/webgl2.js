@@ -4,6 +4,7 @@ import { BOND_WIDTH, bondsOf, shareOf } from "./bonds.js";
 import { Lines } from "./gl_lines.js";
 import { Ground } from "./ground.js";
 import { Layer } from "./layer.js";
+import { KINDS, discsOf, sticksOf } from "./molecules.js";
 import { link, texture } from "./gl.js";
 import { extent } from "./outline.js";
 import { shadesOf } from "./shades.js";
@@ -56,7 +57,7 @@ void main() {
   result = vec4(color.rgb * alpha, alpha);
 }`;
 
-const KINDS = 256;
+const ROOM = 2 * KINDS; // of radii and colours
 
 export class GlRenderer {
   constructor(canvas, overlayCanvas) {
@@ -126,11 +127,20 @@ export class GlRenderer {
     );
     const lines = bondsOf(scene.frame, scene.table);
     if (lines.length) {
-      this.lines.draw(lines, scene, BOND_WIDTH * scene.view.ratio);
+      this.lines.draw(lines, scene, BOND_WIDTH * scene.view.ratio, scene.theme.bond);
       gl.useProgram(this.program);
     }
-    this.upload(scene);
-    this.instances(scene);
+    const discs = discsOf(scene.frame, scene.table);
+    this.upload(scene, discs);
+    this.instances(scene, discs.count);
+    this.sticks(scene);
+  }
+
+  sticks(scene) {
+    for (const { lines, width } of sticksOf(scene.frame, scene.table, scene.view)) {
+      this.lines.draw(lines, scene, width, scene.theme.stick);
+    }
+    this.gl.useProgram(this.program);
   }
 
   // Nothing but one colour.
@@ -151,32 +161,32 @@ export class GlRenderer {
     return [left, height - bottom, right - left, bottom - top];
   }
 
-  upload(scene) {
+  upload({ palette }, discs) {
     const { gl } = this;
-    const { frame, table, palette } = scene;
     const [position, species, lit, shades] = this.buffers;
-    const fresh = frame.count > this.capacity;
-    if (fresh) this.capacity = Math.ceil(frame.count * 1.25);
-    store(gl, position, frame.position, fresh && this.capacity * 8);
-    store(gl, species, frame.species, fresh && this.capacity);
-    store(gl, lit, unpacked(frame), fresh && this.capacity);
-    store(gl, shades, shadesOf(frame), fresh && this.capacity);
+    const picks = shadesOf(discs);
+    const fresh = discs.count > this.capacity;
+    if (fresh) this.capacity = Math.ceil(discs.count * 1.25);
+    store(gl, position, discs.position, fresh && this.capacity * 8);
+    store(gl, species, discs.species, fresh && this.capacity * 2);
+    store(gl, lit, unpacked(discs), fresh && this.capacity);
+    store(gl, shades, picks, fresh && this.capacity * 2);
     attribute(gl, 0, position, 2, gl.FLOAT);
-    attribute(gl, 1, species, 1, gl.UNSIGNED_BYTE);
+    attribute(gl, 1, species, 1, whole(gl, discs.species));
     attribute(gl, 2, lit, 1, gl.UNSIGNED_BYTE);
-    attribute(gl, 3, shades, 1, gl.UNSIGNED_BYTE);
-    const radii = new Float32Array(KINDS);
-    radii.set(table.radii);
+    attribute(gl, 3, shades, 1, whole(gl, picks));
+    const radii = new Float32Array(ROOM);
+    radii.set(discs.radii);
     gl.activeTexture(gl.TEXTURE0);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, KINDS, 1, 0, gl.RED, gl.FLOAT, radii);
-    const colors = new Uint8Array(KINDS * 2 * 4).fill(255);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, ROOM, 1, 0, gl.RED, gl.FLOAT, radii);
+    const colors = new Uint8Array(ROOM * 2 * 4).fill(255);
     palette.strong.forEach((color, k) => colors.set(color, 4 * k));
-    palette.dim.forEach((color, k) => colors.set(color, 4 * (KINDS + k)));
+    palette.dim.forEach((color, k) => colors.set(color, 4 * (ROOM + k)));
     gl.activeTexture(gl.TEXTURE1);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, KINDS, 2, 0, gl.RGBA, gl.UNSIGNED_BYTE, colors);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, ROOM, 2, 0, gl.RGBA, gl.UNSIGNED_BYTE, colors);
   }
 
-  instances({ frame, table, view }) {
+  instances({ frame, table, view }, count) {
     const { gl } = this;
     gl.uniform2f(this.at("size"), this.canvas.width, this.canvas.height);
     gl.uniform2f(this.at("origin"), view.originX, view.originY);
@@ -189,7 +199,7 @@ export class GlRenderer {
     for (const i of along(table.periodicX)) {
       for (const j of along(table.periodicY)) {
         gl.uniform2i(this.at("image"), i, j);
-        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, frame.count);
+        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
       }
     }
   }
@@ -215,6 +225,10 @@ function store(gl, buffer, data, bytes) {
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
   if (bytes) gl.bufferData(gl.ARRAY_BUFFER, bytes, gl.STREAM_DRAW);
   gl.bufferSubData(gl.ARRAY_BUFFER, 0, data);
+}
+
+function whole(gl, array) {
+  return array.BYTES_PER_ELEMENT === 2 ? gl.UNSIGNED_SHORT : gl.UNSIGNED_BYTE;
 }
 
 function attribute(gl, index, buffer, size, type) {
