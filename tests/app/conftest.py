@@ -16,7 +16,7 @@ from chromium import ARGUMENTS
 from gasbox.app.page import Page as LabPage
 from gasbox.app.page import build
 from gasbox.app.session import Session
-from gasbox.build import compile_kernels
+from gasbox.compiling import compile_kernels
 
 Opened = Callable[..., Page]
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from playwright.sync_api import Browser, Page
 
 from gasbox.app.session import Session
+from gasbox.scenario import Scenario
 
 BOTH = pytest.mark.parametrize("renderer", ["cpu", "gl"])
 RED, GREEN, BLUE = (255, 0, 0), (0, 160, 0), (0, 0, 255)
@@ -67,13 +68,15 @@ def boxes(browser: Browser, server: FrameServer) -> Iterator[Callable[..., Box]]
         renderer: str, discs: list[tuple[int, float, float]], ratio: float = 1.0, **settings: Any
     ) -> Box:
         listed = [{"species": f"kind {kind}", "position": [x, y], "velocity": [0, 0]} for kind, x, y in discs]
-        scenario = gas((0, 0, 0), particles=listed, **settings)
+        return shown(renderer, gas((0, 0, 0), particles=listed, **settings), len(discs), ratio)
+
+    def shown(renderer: str, scenario: Scenario, count: int, ratio: float = 1.0) -> Box:
         session = server.registry.open(scenario)
         session.pause()
         session.start()
         session.settle()
         state = session._show.simulation.state
-        assert state.count == len(discs)
+        assert state.count == count
         context = browser.new_context(
             viewport={"width": 640, "height": 480}, device_scale_factor=ratio, color_scheme="light"
         )
@@ -85,6 +88,7 @@ def boxes(browser: Browser, server: FrameServer) -> Iterator[Callable[..., Box]]
         assert page.evaluate("gasboxStats.renderer") == renderer
         return box
 
+    opened.shown = shown  # type: ignore[attr-defined]
     yield opened
     for context in contexts:
         context.close()

@@ -7,9 +7,10 @@ import functools
 import socket
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import uvicorn
 from fastapi import FastAPI, Request, WebSocket
@@ -74,8 +75,10 @@ def application(registry: Registry) -> FastAPI:
 
 
 @contextlib.contextmanager
-def running(max_sessions: int = 3, max_body: int = 10_000) -> Iterator[FrameServer]:
-    registry = Registry(max_sessions, functools.partial(Session, simulate=FreeFlight))
+def running(
+    max_sessions: int = 3, max_body: int = 10_000, simulate: Callable[..., Any] = FreeFlight
+) -> Iterator[FrameServer]:
+    registry = Registry(max_sessions, functools.partial(Session, simulate=simulate))
     listener = socket.create_server(("127.0.0.1", 0))
     app = Guard(application(registry), max_body=max_body)
     server = uvicorn.Server(

@@ -185,9 +185,8 @@ def test_molecules_add_an_angle_each_and_the_places_of_what_bends() -> None:
 
 def test_the_table_says_of_what_discs_molecules_are_made() -> None:
     argon = {"name": "argon", "radius": 2.0, "color": "#7b4fb5"}
-    message = json.loads(
-        table(3, Rectangle(60.0, 40.0, True, False), rotors(DUMBBELL, SPRING, species=(argon,)))
-    )
+    scenario = rotors(DUMBBELL, SPRING, species=(argon,), dynamics={"kind": "forced"})
+    message = json.loads(table(3, Rectangle(60.0, 40.0, True, False), scenario))
     assert [one["name"] for one in message["species"]] == ["argon", "molecule 0", "molecule 1"]
     assert message["species"][1]["radius"] == 3.5
     assert [one["color"] for one in message["discs"]] == ["#7b4fb5", "#0000ff", "#00a000", "#c86dd7"]

@@ -7,6 +7,7 @@ import json
 import numpy as np
 import pytest
 from free_flight import FreeFlight
+from free_rotors import DUMBBELL, FreeRotors, rotors
 from surroundings import DIVIDER, matter, placed, sample, walled
 
 from gasbox.app.directions import axis_of
@@ -49,8 +50,8 @@ def test_names_are_different_and_all_can_be_pictured() -> None:
     )
     assert len({study.name for study in STUDIES}) == len(STUDIES)
     for make in STUDIES:
-        suits = make().suits(sample(FreeFlight(everything)))
-        simulation = FreeFlight(everything if suits else matter())
+        gases = (FreeFlight(everything), FreeFlight(matter()), FreeRotors(rotors(DUMBBELL)))
+        simulation = next(gas for gas in gases if make().suits(sample(gas)))
         simulation.dynamics.tallies.wall_collisions[:] = 1
         picture = watched(make(), simulation)
         text = json.dumps(layout(picture, "a chart"), allow_nan=False, ensure_ascii=False)

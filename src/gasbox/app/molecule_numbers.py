@@ -6,7 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gasbox.state import State
+from gasbox.observe import (
+    degrees_of_rotation,
+    degrees_of_vibration,
+    rotational_energies,
+    translational_energies,
+    vibrational_energies,
+)
+from gasbox.observe.rotation import spins
+from gasbox.state import Sites, State
 
 __all__ = ["Energies", "energies_of"]
 
@@ -31,19 +39,26 @@ class Energies:
 
 def energies_of(state: State, row: int) -> Energies:
     """Of the particle in this row."""
-    velocity = state.velocity[row]
-    flight = 0.5 * float(state.mass[row]) * float(velocity @ velocity)
-    if state.sites is None or state.inertia[row] == 0.0:
-        return Energies(flight)
-    if not state.sites.flexible[row]:
-        turning = float(state.angular_velocity[row])
-        return Energies(flight, 0.5 * float(state.inertia[row]) * turning**2, None, turning)
-    own = slice(int(state.sites.first[row]), int(state.sites.first[row + 1]))
-    mass = state.sites.mass[own]
-    arm = state.sites.position[own] - state.position[row]
-    motion = state.sites.velocity[own] - velocity
-    spin = float(mass @ (arm[:, 0] * motion[:, 1] - arm[:, 1] * motion[:, 0]))
-    inertia = float(mass @ np.einsum("ij,ij->i", arm, arm))
-    rotation = 0.5 * spin**2 / inertia
-    inner = 0.5 * float(mass @ np.einsum("ij,ij->i", motion, motion))
-    return Energies(flight, rotation, max(inner - rotation, 0.0), spin / inertia)
+    one = _alone(state, row)
+    return Energies(
+        float(translational_energies(one)[0]),
+        float(rotational_energies(one)[0]) if degrees_of_rotation(one)[0] else None,
+        float(vibrational_energies(one)[0]) if degrees_of_vibration(one)[0] else None,
+        float(spins(one)[1][0]),
+    )
+
+
+def _alone(state: State, row: int) -> State:
+    """This particle by itself; of a large gas nothing else is touched."""
+    mine = slice(row, row + 1)
+    rows = ("id", "species", "mass", "radius", "position", "velocity")
+    one = State(state.time, *(getattr(state, name)[mine] for name in rows))
+    if state.sites is None:
+        return one
+    for name in ("angle", "angular_velocity", "inertia"):
+        setattr(one, name, getattr(state, name)[mine])
+    first, last = state.sites.first[row : row + 2]
+    parts = ("species", "mass", "radius", "place", "position", "velocity")
+    own = {name: getattr(state.sites, name)[first:last] for name in parts}
+    one.sites = Sites(first=np.array([0, last - first]), flexible=state.sites.flexible[mine], **own)
+    return one

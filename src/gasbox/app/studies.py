@@ -16,13 +16,15 @@ from gasbox.app.studies_of_walls import Pressures, Work
 from gasbox.app.studies_over_time import Centers, Energy, Flow, Mixing, Sides
 from gasbox.app.study import Study
 from gasbox.app.study_chart import StudyChart
+from gasbox.app.study_of_degrees import Degrees
 from gasbox.app.study_of_heating import Heating
 from gasbox.app.window import Lately
 
 __all__ = ["STUDIES", "Studies", "StudyMenu"]
 
 STUDIES: Final[tuple[type[Study], ...]] = (
-    Heating, Order, Pairs, Density, Work, Sides, Flow, Temperature, Mixing, Energy, Wandering, Pressures, Centers,
+    Degrees, Heating, Order, Pairs, Density, Work, Sides, Flow, Temperature, Mixing, Energy, Wandering,
+    Pressures, Centers,
 )  # fmt: skip
 """In the order in which they are shown, and in which they are taken where nobody has chosen."""
 _BY_ITSELF: Final = 2

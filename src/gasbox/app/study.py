@@ -30,14 +30,15 @@ class Trace:
     Attributes
     ----------
     points : (n, 2) float64, x and y; of bars, x counts the labels
-    kind : how it is drawn; ``theory`` is a thin dashed line under the others
+    kind : how it is drawn; ``theory`` is a thin dashed line under the others, ``level`` one over bars, all across
+        and as high as its first point
     error : (n,) float64, standard errors, or None
     color : or None for one of the palette
     """
 
     name: str
     points: NDArray[np.float64]
-    kind: Literal["line", "dashed", "points", "bars", "theory"] = "line"
+    kind: Literal["line", "dashed", "points", "bars", "theory", "level"] = "line"
     error: NDArray[np.float64] | None = None
     color: str | None = None
 
@@ -54,12 +55,16 @@ class Axis:
 
 @dataclass(frozen=True)
 class Picture:
-    """All of a study at one moment; `fact` stands beside the title."""
+    """All of a study at one moment; `fact` stands beside the title.
+
+    Where it is `gliding`, what is shown goes evenly to its next place.
+    """
 
     x: Axis
     y: Axis
     traces: list[Trace] = field(default_factory=list)
     fact: str = ""
+    gliding: bool = False
 
 
 class Study(Protocol):

@@ -26,7 +26,7 @@ class StudyChart:
         self._ready = False
         self._told = ""
         self.shown: dict[str, object] = {}
-        with ui.element("section").classes("card histogram study").mark(f"study-{name}") as card:
+        with ui.element("section").classes(f"card histogram study of-{name}").mark(f"study-{name}") as card:
             card.props["aria-label"] = title
             with ui.element("div").classes("title"):
                 ui.label(title).classes("name")

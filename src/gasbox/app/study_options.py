@@ -13,7 +13,7 @@ __all__ = ["filled", "layout"]
 
 _TOOLTIP = """(shown) => {
   const short = (x) => String(+x.toPrecision(3));
-  const rows = shown.filter((one) => one.seriesType !== "custom").map((one) => {
+  const rows = shown.filter((one) => !one.seriesName.endsWith(" ±") && one.value[1] !== null).map((one) => {
     const [, value, error] = one.value;
     const about = error ? ` ± ${short(error)}` : "";
     return `<tr><td>${one.marker}${one.seriesName}</td><td>${short(value)}${about}</td></tr>`;
@@ -29,6 +29,7 @@ _ICON = {
     "line": "path://M0,3h14v2h-14z",
     "dashed": "path://M0,3h4v2h-4zM5,3h4v2h-4zM10,3h4v2h-4z",
     "theory": "path://M0,3h4v2h-4zM5,3h4v2h-4zM10,3h4v2h-4z",
+    "level": "path://M0,3h4v2h-4zM5,3h4v2h-4zM10,3h4v2h-4z",
     "points": "circle",
     "bars": "roundRect",
 }
@@ -43,6 +44,23 @@ _WHISKER = """(params, api) => {
   return { type: "group", children: [line(px, low, px, high), ...caps] };
 }"""
 
+_LEVEL = """(params, api) => {
+  if (params.dataIndex > 0) return null;
+  const y = api.coord([0, api.value(1)])[1];
+  const { x, width } = params.coordSys;
+  const style = { stroke: "COLOR", lineWidth: 1.6, lineDash: [5, 4], fill: null };
+  return { type: "line", shape: { x1: x, y1: y, x2: x + width, y2: y }, style, transition: ["shape"] };
+}"""
+_BARS = (60.0, 84.0)
+"""Per cent of its place that a bar takes, and that several side by side take together."""
+_GLIDE = {
+    "animation": True,
+    "animationDuration": 0,
+    "animationDurationUpdate": 480,
+    "animationEasingUpdate": "linear",
+}
+"""Milliseconds: nearly as long as until the next update."""
+
 
 def layout(picture: Picture, description: str) -> dict[str, Any]:
     """The options of a chart of this kind, with its first picture in it."""
@@ -52,7 +70,7 @@ def layout(picture: Picture, description: str) -> dict[str, Any]:
         "X ", f"{picture.x.name.partition('  (')[0]} "
     )
     shape: dict[str, Any] = {
-        "animation": False,
+        **(_GLIDE if picture.gliding else {"animation": False}),
         "textStyle": {"fontFamily": FONT},
         "aria": {"enabled": True, "label": {"description": description}},
         "grid": {
@@ -107,10 +125,11 @@ def _upright(name: str) -> str:
 def filled(picture: Picture) -> dict[str, Any]:
     """The parts of the options that follow a picture: ends of the axes, and all series."""
     series: list[dict[str, Any]] = []
+    rows_of_bars = sum(trace.kind == "bars" for trace in picture.traces)
     for number, trace in enumerate(picture.traces):
         color = trace.color or PALETTE[number % len(PALETTE)]
-        series.append(_series(trace, color))
-        if trace.error is not None:
+        series.append(_series(trace, color, rows_of_bars))
+        if trace.error is not None and rows_of_bars < 2:  # else they stand side by side
             series.append(_whiskers(trace, color))
     return {
         "xAxis": {"data": list(picture.x.labels)} if picture.x.labels else _ends(picture.x, tight=True),
@@ -137,17 +156,22 @@ def _ends(axis: Axis, *, tight: bool) -> dict[str, Any]:
     }
 
 
-def _series(trace: Trace, color: str) -> dict[str, Any]:
+_TYPES = {"bars": "bar", "points": "scatter", "level": "custom"}
+
+
+def _series(trace: Trace, color: str, rows_of_bars: int) -> dict[str, Any]:
     series: dict[str, Any] = {
-        "type": "bar" if trace.kind == "bars" else "scatter" if trace.kind == "points" else "line",
+        "type": _TYPES.get(trace.kind, "line"),
         "name": trace.name,
         "itemStyle": {"color": color},
         "data": _rows(trace),
     }
     match trace.kind:
         case "bars":
-            series["barWidth"] = "60%"
+            series |= {"barWidth": f"{_BARS[rows_of_bars > 1] / rows_of_bars:.3g}%", "barGap": "0%"}
             series["itemStyle"] = {"color": color, "opacity": 0.85}
+        case "level":
+            series |= {":renderItem": _LEVEL.replace("COLOR", color), "z": 4}
         case "points":
             series["symbolSize"] = 5
         case _:
