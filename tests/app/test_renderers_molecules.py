@@ -41,11 +41,11 @@ def pale(color: tuple[int, ...], seen: tuple[int, ...]) -> bool:
     return seen == tuple(round(0.45 * c + 0.55 * b) for c, b in zip(color, LIGHT_BOX, strict=True))
 
 
-def pointed(box: Box, x: float, y: float) -> list[str]:
-    px, py = box.place(x, y)
-    box.page.mouse.move(px, py)
-    box.wait("!document.querySelector('.gasbox-tip').hidden")
-    return str(box.page.evaluate("document.querySelector('.gasbox-tip').textContent")).split("\n")
+def pointed(box: Box, x: float, y: float, name: str) -> list[str]:
+    """What is told of the particle there, line by line, once it is told of this one."""
+    box.page.mouse.move(*box.place(x, y))
+    box.wait(f"document.querySelector('.gasbox-tip:not([hidden])')?.textContent.startsWith('{name}\\n')")
+    return str(box.page.evaluate("document.querySelector('.gasbox-tip').textContent")).split("\n")[1:]
 
 
 @BOTH
@@ -69,6 +69,10 @@ def test_molecules_are_turned_discs_with_sticks(open_box: Any, renderer: str) ->
     # The other atom of the second one is seen at the far side of the periodic box.
     assert box.color_at(57.1, 10) == BLUE
     assert box.color_at(1.9, 10) == GREEN
+    # Pointed at, it tells what it has.
+    _, turning, _, flight, rotation = pointed(box, 20, 18, "molecule 0 no. 0")
+    assert (turning, flight) == ("angular velocity 2", "  of flight 0")
+    assert float(rotation.split()[-1]) > 0.0
     # What bends is where its discs are, not where it was made.
     assert [box.color_at(x, 20) for x in (41.7, 38.3)] == [(255, 0, 0), GREEN]
     box.session._show.simulation.state.sites.place[5] += (0.0, -5.0)  # turned by half a turn
@@ -76,14 +80,8 @@ def test_molecules_are_turned_discs_with_sticks(open_box: Any, renderer: str) ->
     box.redrawn()
     assert box.color_at(38.3, 25) == GAS
     assert box.color_at(40, 30) == GAS
-    # Pointed at, it tells what it has.
-    name, _, turning, _, flight, rotation = pointed(box, 20, 18)
-    assert (name, turning) == ("molecule 0 no. 0", "angular velocity 2")
-    assert flight == "  of flight 0"
-    assert float(rotation.split()[-1]) > 0.0
-    assert pointed(box, 40, 30) == ["argon no. 3", "speed 0", "energy 0"]
-    px, py = box.place(10, 35)
-    box.page.mouse.move(px, py)
+    assert pointed(box, 40, 30, "argon no. 3") == ["speed 0", "energy 0"]
+    box.page.mouse.move(*box.place(10, 35))
     box.wait("document.querySelector('.gasbox-tip').hidden")
     box.page.mouse.click(*box.place(59.5 - 2, 10))
     box.wait("picked.length > 0")
