@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from free_flight import FakeClock, FreeFlight
 
-from gasbox.initial.molecules import sites_of
+from gasbox.scenario.sites import sites_of
 from gasbox.scenario import Scenario, parse
 from gasbox.state import State, Tallies
 
