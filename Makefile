@@ -5,6 +5,8 @@ SHELL := /bin/sh
 BIN := .venv/bin
 PYTEST = $(BIN)/python -m pytest
 ARGS ?=
+# Processes that share the tests; they take each other's from the end, so files stay together. 0 for --pdb.
+WORKERS ?= 2
 PYTHON ?=
 export PYTHON
 # The Python that makes .venv, searched for only when a target needs it.
@@ -20,7 +22,10 @@ run: ready-to-run ## open the lab in the browser (ARGS="brownian" for another sc
 	@$(BIN)/gasbox lab $(ARGS)
 
 test: ready-to-develop chromium ## all tests, the browser's too (ARGS="-k name" for some)
-	@$(PYTEST) $(ARGS)
+ifeq ($(strip $(ARGS)),)
+	@$(BIN)/python scripts/compile_kernels.py
+endif
+	@$(PYTEST) -n $(WORKERS) --dist worksteal $(ARGS)
 
 setup: ready-to-develop ## make .venv with everything that developing needs
 

@@ -14,12 +14,15 @@ from gasbox.state import Contacts
 __all__ = ["compile_kernels"]
 
 
-def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> None:
+def compile_kernels(
+    progress: Callable[[int, int, str], None] | None = None, backwards: bool = False
+) -> None:
     """Compile all kernels (first start after an installation) or load them from the cache.
 
     Parameters
     ----------
     progress : called before each part and at the end with (parts done, parts in all, name of the next part)
+    backwards : begin with the last part, beside another process that begins with the first
     """
     parts: list[tuple[str, Callable[[], object]]] = [
         ("placing discs", lambda: populate(_tiny("stepped"))),
@@ -34,7 +37,7 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
         ("stepped dynamics, walls of any shape", lambda: _run_tiny("stepped", enclosed=True)),
         ("event-driven dynamics, walls of any shape", lambda: _run_tiny("event-driven", enclosed=True)),
     ]
-    for done, (name, compile_part) in enumerate(parts):
+    for done, (name, compile_part) in enumerate(reversed(parts) if backwards else parts):
         if progress is not None:
             progress(done, len(parts), name)
         compile_part()

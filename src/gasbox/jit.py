@@ -6,16 +6,20 @@ its cached caller. The cache folder is therefore named by a hash of all kernel s
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import hashlib
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
 import numba.core.config
+
+if sys.platform != "win32":
+    import fcntl
 
 __all__ = [
     "bare_kernel",
@@ -79,7 +83,29 @@ def _compiled(function: _Function, **options: bool) -> _Function:
         compiled = _njit(cache=True, nogil=True, error_model="numpy", **options)(function)
     finally:
         _config.CACHE_DIR = previous
+    save = compiled._cache.save_overload
+
+    def save_alone(*arguments: Any) -> None:
+        with _alone():
+            save(*arguments)
+
+    compiled._cache.save_overload = save_alone
     return cast(_Function, compiled)
+
+
+@contextlib.contextmanager
+def _alone() -> Iterator[None]:
+    """Keep other processes from writing to the cache.
+
+    numba reads the index of a function, adds to it and writes it back. Two processes that did so at once, for
+    different types of argument, could leave an index that names the code of the other type.
+    """
+    with (cache_folder() / "lock").open("w") as file:
+        if sys.platform != "win32":
+            # Where a file system knows no locks, go on without.
+            with contextlib.suppress(OSError):
+                fcntl.flock(file, fcntl.LOCK_EX)
+        yield
 
 
 def is_compiling() -> bool:
