@@ -14,9 +14,7 @@ from gasbox.state import Contacts
 __all__ = ["compile_kernels"]
 
 
-def compile_kernels(
-    progress: Callable[[int, int, str], None] | None = None, backwards: bool = False
-) -> None:
+def compile_kernels(progress: Callable[[int, int, str], None] | None = None, backwards: bool = False) -> None:
     """Compile all kernels (first start after an installation) or load them from the cache.
 
     Parameters

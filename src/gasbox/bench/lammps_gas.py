@@ -14,12 +14,12 @@ from gasbox.bench.lammps_ranks import LammpsRanks
 from gasbox.initial import populate
 from gasbox.scenario import Forced, Scenario
 
-__all__ = ["LammpsGas", "lammps_starts", "periodic_box"]
+__all__ = ["LammpsGas", "lammps_starts", "lennard_jones", "periodic_box"]
 
 _LISTS: Final = ((0.2, 0), (0.3, 0), (0.3, 5), (0.4, 5), (0.5, 5))
 """Skins of the list of neighbours [length], with steps in which nobody asks whether it is still good."""
 _TRIALS = 2
-_FEWEST_STEPS, _MOST_STEPS, _TRIED_ATOM_STEPS = 40, 300, 300_000
+_FEWEST_STEPS, _MOST_STEPS, _TRIED_STEPS = 40, 300, 300_000
 
 
 class Program(Protocol):
@@ -50,15 +50,28 @@ def lammps_starts() -> bool:
     return True
 
 
-def periodic_box(width: float, height: float, types: int = 1) -> list[str]:
-    """The commands for an empty flat periodic box [length], for atoms of so many types."""
+def periodic_box(width: float, height: float, types: int = 1, style: str = "atomic") -> list[str]:
+    """The commands for an empty flat periodic box [length], for atoms of so many types, in a style of LAMMPS."""
     return [
         "units lj",
         "dimension 2",
-        "atom_style atomic",
+        f"atom_style {style}",
         "boundary p p p",
         f"region box block 0 {width!r} 0 {height!r} -0.5 0.5",
         f"create_box {types} box",
+    ]
+
+
+def lennard_jones(scenario: Scenario) -> list[str]:
+    """The commands for the law of the fluids, and for the time step of a scenario."""
+    assert isinstance(scenario.dynamics, Forced)
+    return [
+        "pair_style lj/cut 2.5",
+        "pair_coeff 1 1 1.0 1.0",
+        "pair_modify shift yes",
+        f"timestep {scenario.dynamics.time_step!r}",
+        # Otherwise the last step of each run would add up energies for nobody.
+        "thermo_style custom step",
     ]
 
 
@@ -74,42 +87,36 @@ class LammpsGas:
     """
 
     def __init__(self, scenario: Scenario, ranks: int = 1) -> None:
-        assert isinstance(scenario.dynamics, Forced)
         self.name = "LAMMPS" if ranks == 1 else f"LAMMPS, {ranks} ranks"
-        self._program: Program = Lammps() if ranks == 1 else LammpsRanks(ranks)
-        state, box = populate(scenario), scenario.geometry()
-        self._atoms = state.count
-        self._program.command(*periodic_box(float(box.width), float(box.height)))
-        self._program.place(np.ones(state.count, np.int64), state.position, state.velocity)
-        self._program.command(
-            "mass 1 1.0",
-            "pair_style lj/cut 2.5",
-            "pair_coeff 1 1 1.0 1.0",
-            "pair_modify shift yes",
-            f"timestep {scenario.dynamics.time_step!r}",
-            "fix motion all nve",
-            # Otherwise the last step of each run would add up energies for nobody.
-            "thermo_style custom step",
-        )
+        self.program: Program = Lammps() if ranks == 1 else LammpsRanks(ranks)
+        self._particles = self._set_up(scenario)
         self.skin, self.delay = self._fastest_list()
         self._use_list(self.skin, self.delay)
 
+    def _set_up(self, scenario: Scenario) -> int:
+        """Make the fluid; how many particles it has."""
+        state, box = populate(scenario), scenario.geometry()
+        self.program.command(*periodic_box(float(box.width), float(box.height)))
+        self.program.place(np.ones(state.count, np.int64), state.position, state.velocity)
+        self.program.command("mass 1 1.0", *lennard_jones(scenario), "fix motion all nve")
+        return state.count
+
     def work(self, portions: int) -> float:
         """Steps times particles."""
-        self._program.command(f"run {portions} pre no post no")
-        return float(portions * self._atoms)
+        self.program.command(f"run {portions} pre no post no")
+        return float(portions * self._particles)
 
     def late_lists(self) -> int:
         """How often the list of neighbours in use may have come too late."""
-        return round(self._program.value("ndanger"))
+        return round(self.program.value("ndanger"))
 
     def _use_list(self, skin: float, delay: int) -> None:
-        self._program.command(
+        self.program.command(
             f"neighbor {skin} bin", f"neigh_modify every 1 delay {delay} check yes", "run 0 post no"
         )
 
     def _fastest_list(self) -> tuple[float, int]:
-        steps = min(max(_FEWEST_STEPS, _TRIED_ATOM_STEPS // self._atoms), _MOST_STEPS)
+        steps = min(max(_FEWEST_STEPS, _TRIED_STEPS // self._particles), _MOST_STEPS)
         least = dict.fromkeys(_LISTS, float("inf"))
         for _ in range(_TRIALS):
             for skin, delay in _LISTS:

@@ -87,6 +87,12 @@ class Lammps:
         if made != atoms:
             raise ValueError(f"LAMMPS has made {made} atoms of {atoms}")
 
+    def join(self, molecule: NDArray[np.int64]) -> None:
+        """Say of each atom (n,), in the order of their numbers, which molecule it belongs to. One rank only."""
+        atoms = self._lammps.extract_setting("nlocal")
+        number = self._lammps.numpy.extract_atom("id")[:atoms]
+        self._lammps.numpy.extract_atom("molecule")[:atoms] = molecule[number - 1]
+
     def rows(self, name: str) -> NDArray[np.float64]:
         """Of each atom, in the order of their numbers, two components (n, 2): of "x", "v" or "f". One rank only."""
         atoms = self._lammps.extract_setting("nlocal")

@@ -16,7 +16,16 @@ from gasbox.initial import populate
 from gasbox.scenario import Scenario
 from gasbox.state import State
 
-__all__ = ["PEERS", "ArrayGas", "Box2DGas", "PymunkGas", "ReboundGas", "missing_peers", "stepped_peers"]
+__all__ = [
+    "PEERS",
+    "ArrayGas",
+    "Box2DGas",
+    "PymunkGas",
+    "ReboundGas",
+    "corners",
+    "missing_peers",
+    "stepped_peers",
+]
 
 
 def stepped_peers(scenario: Scenario) -> list[Contender]:
@@ -37,7 +46,7 @@ def _is_installed(package: str) -> bool:
     return True
 
 
-def _corners(size: NDArray[np.float64]) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+def corners(size: NDArray[np.float64]) -> list[tuple[tuple[float, float], tuple[float, float]]]:
     """Both ends of each wall of a box of width and height `size` (2,) [length]."""
     width, height = size.tolist()
     corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
@@ -55,7 +64,7 @@ class PymunkGas:
         self._space = space = pymunk.Space()
         space.iterations, space.collision_slop, space.damping = 10, 0.0, 1.0
         state = populate(scenario)
-        for start, end in _corners(scenario.geometry().size):
+        for start, end in corners(scenario.geometry().size):
             self._add(pymunk.Segment(space.static_body, start, end, 0.0))
         for position, velocity in zip(state.position.tolist(), state.velocity.tolist(), strict=True):
             body = pymunk.Body(1.0, float("inf"))
@@ -92,7 +101,7 @@ class Box2DGas:
         surface = pyb2d3.surface_material(restitution=1.0, friction=0.0)
         shape = pyb2d3.shape_def(density=1.0 / np.pi, material=surface, enable_contact_events=False)
         walls = world.create_static_body(position=(0, 0))
-        for start, end in _corners(scenario.geometry().size):
+        for start, end in corners(scenario.geometry().size):
             walls.create_segment_shape(shape, pyb2d3.segment(start, end))
         state, circle = populate(scenario), pyb2d3.circle(radius=1.0)
         body = pyb2d3.body_def(type=pyb2d3.BodyType.DYNAMIC, enable_sleep=False, fixed_rotation=True)
