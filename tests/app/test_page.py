@@ -13,7 +13,7 @@ from simulated_lab import Lab, bars
 
 async def test_one_histogram_for_each_species_with_all_its_particles(lab: Lab) -> None:
     await lab.until(lambda: bars(lab, 2))
-    assert [histogram.species.name for histogram in lab.page.charts.histograms] == [
+    assert [histogram.kind.name for histogram in lab.page.charts.histograms] == [
         "kind 0",
         "kind 1",
         "kind 2",
