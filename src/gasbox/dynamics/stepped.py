@@ -57,6 +57,7 @@ class Stepped:
         self._threads = threads
         self._seed = seed
         self._team: Team | None = None
+        self._mishaps = stepped.no_mishaps()
         # What another dynamics, or another time step, has left goes on at the nearest step.
         step = round(state.time / time_step)
         if memory and abs(int(memory["step"]) * time_step - state.time) < 0.5 * time_step:
@@ -80,21 +81,24 @@ class Stepped:
 
     def resync(self, state: State) -> None:
         """Take over the particles of `state`."""
-        threads = self._threads or fitting_threads(state.count)
+        self._bodies = stepped.bodies(state, *self._mishaps)
+        self._discs = arguments.gas(state) if self._bodies is None else stepped.site_gas(state)
+        radius = self._discs.radius
+        threads = self._threads or fitting_threads(radius.size)
         if self._team is None or self._team.wanted != threads:
             self._team = Team(threads)
         self._box = self._box_around(state)
-        self._grid = stepped.grid(state.radius, self._box.width, self._box.height)
-        self._room = stepped.room(self._grid, state, self._team.threads)
-        self._walls = self._fitting_walls(state)
+        self._grid = stepped.grid(radius, self._box.width, self._box.height)
+        self._room = stepped.room(self._grid, self._discs, self._team.threads)
+        self._walls = self._fitting_walls(radius)
         state.time = self._time
 
-    def _fitting_walls(self, state: State) -> stepped.Walls | None:
+    def _fitting_walls(self, radius: NDArray[np.float64]) -> stepped.Walls | None:
         if self._hall is None:
             return None
         place, rate = np.zeros((2, len(self._hall.wall)))
         show_walls(self._hall, self._time, place, rate)
-        return stepped.walls(self._hall, self._grid, state.radius, self._box, place)
+        return stepped.walls(self._hall, self._grid, radius, self._box, place)
 
     def _box_around(self, state: State) -> arguments.Box:
         """The box that the cells divide; where a side has moved out, a larger one with some room to go on."""
@@ -145,6 +149,8 @@ class Stepped:
                 break
         state.time = self._time
         self._show_walls(state)
+        if self._bodies is None:
+            state.turn_sites()
         return Status.FULL if status == arguments.FULL else Status.DONE
 
     def _take_steps(self, state: State, stop: int) -> int:
@@ -152,13 +158,17 @@ class Stepped:
         assert self._team is not None
         count = np.array([self.contacts.count], np.int64)
         book = arguments.ledger(self.tallies, self.contacts, count, state)
+        discs, bodies = arguments.gas(state), self._bodies
+        if bodies is not None:
+            discs, book = self._discs, book._replace(id=self._discs.id)
         status = self._team.run(
             stepped.advance,
-            arguments.gas(state),
+            discs,
             self._box,
             self._grid,
             self._room,
             self._walls,
+            bodies,
             book,
             self._clock,
             stop,
@@ -196,7 +206,8 @@ class Stepped:
         if self._walls is None:
             return
         if self._walls.cursor[3]:
-            state.keep(self._walls.gone == 0)
+            stay = self._walls.gone == 0
+            state.keep(stay if self._bodies is None else stay[self._bodies.first[:-1]])
             self._show_walls(state)
             self.resync(state)
         elif self._moves_out:

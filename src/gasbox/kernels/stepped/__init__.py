@@ -5,6 +5,21 @@ one thread in the prescribed order. So the number of threads changes no bit.
 """
 
 from gasbox.kernels.stepped.advance import GONE, GROW, LEFT, advance
+from gasbox.kernels.stepped.bodies import Bodies, bodies, no_mishaps, site_gas
 from gasbox.kernels.stepped.tables import Walls, grid, lists, room, walls
 
-__all__ = ["GONE", "GROW", "LEFT", "Walls", "advance", "grid", "lists", "room", "walls"]
+__all__ = [
+    "GONE",
+    "GROW",
+    "LEFT",
+    "Bodies",
+    "Walls",
+    "advance",
+    "bodies",
+    "grid",
+    "lists",
+    "no_mishaps",
+    "room",
+    "site_gas",
+    "walls",
+]

@@ -7,10 +7,12 @@ from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import DONE, FULL, Box, Gas, Ledger
+from gasbox.kernels.stepped.bodies import Bodies, carry, show_bodies
 from gasbox.kernels.stepped.execute import execute
 from gasbox.kernels.stepped.filing import count, drift, file, fly, number, show
 from gasbox.kernels.stepped.look import look
 from gasbox.kernels.stepped.near import find, mark, move_walls
+from gasbox.kernels.stepped.sweep import execute_bodies
 from gasbox.kernels.stepped.tables import Grid, Room, Slots, Walls
 from gasbox.kernels.team import meet
 
@@ -29,9 +31,11 @@ _DRIFT, _LOOK, _EXECUTE = 0, 1, 2
 
 
 @bare_kernel
-def _begin(room: Room, threads: int) -> None:
+def _begin(room: Room, bodies: Bodies | None, threads: int) -> None:
     """Go on to the execution, if all that was found has been listed."""
     room.progress[0] = _EXECUTE
+    if bodies is not None:
+        bodies.cursor[:] = 0
     for thread in range(threads):
         room.lists.done[thread] = 0
         if room.lists.found[thread] > room.lists.key.shape[1]:
@@ -40,15 +44,43 @@ def _begin(room: Room, threads: int) -> None:
 
 @inlined_kernel
 def _move(
-    slots: Slots, box: Box, walls: Walls | None, time_step: float, time: float, thread: int, threads: int
+    slots: Slots,
+    box: Box,
+    walls: Walls | None,
+    bodies: Bodies | None,
+    time_step: float,
+    time: float,
+    thread: int,
+    threads: int,
 ) -> None:
     """Move this thread's share of the discs; the first thread moves the walls."""
-    if walls is None:
+    if bodies is not None:
+        carry(bodies, slots, box, walls, time_step, thread, threads)
+    elif walls is None:
         drift(slots, box, time_step, thread, threads)
     else:
         fly(slots, box, walls, time_step, thread, threads)
-        if thread == 0:
-            move_walls(walls, time_step, time)
+    if walls is not None and thread == 0:
+        move_walls(walls, time_step, time)
+
+
+@inlined_kernel
+def _execute(
+    slots: Slots,
+    gas: Gas,
+    box: Box,
+    grid: Grid,
+    room: Room,
+    walls: Walls | None,
+    bodies: Bodies | None,
+    book: Ledger,
+    time: float,
+    threads: int,
+) -> bool:
+    """Execute what was found; False if the contacts are full."""
+    if bodies is not None:
+        return execute_bodies(slots, gas, bodies, box, grid, room.lists, walls, book, time, threads)
+    return execute(slots, gas, box, grid, room.lists, walls, book, time, threads)
 
 
 @bare_kernel
@@ -58,6 +90,7 @@ def advance(
     grid: Grid,
     room: Room,
     walls: Walls | None,
+    bodies: Bodies | None,
     book: Ledger,
     clock: NDArray[np.int64],
     target: int,
@@ -71,6 +104,7 @@ def advance(
     Parameters
     ----------
     walls : of an enclosure; None for a plain rectangle, for which the kernel is compiled apart
+    bodies : molecules, of which the rows of all else are the sites; None if all particles are discs
     clock : (1,) int64, steps done; counted on here
     target : step to stop at
     time_step : [time]
@@ -87,9 +121,14 @@ def advance(
         return GONE
     status = DONE
     while step < target:
+        # Bodies are filed anew from the order of their sites, in `even`.
+        other = 1 - turn if bodies is None else 0
         old, new = (room.odd, room.even) if turn == 1 else (room.even, room.odd)
         if phase == _DRIFT:
-            _move(old, box, walls, time_step, (step + 1) * time_step, thread, threads)
+            _move(old, box, walls, bodies, time_step, (step + 1) * time_step, thread, threads)
+            if bodies is not None:
+                # Its bodies are not the sites that a thread counts.
+                meet(flag, thread, threads)
             count(old, box, grid, room, thread, threads)
             meet(flag, thread, threads)
             number(grid, room, thread, threads)
@@ -99,26 +138,29 @@ def advance(
             file(old, new, room, thread, threads)
             meet(flag, thread, threads)
         if phase != _EXECUTE:
-            look(new, box, grid, room, walls, thread, threads)
+            look(new, box, grid, room, walls, bodies, thread, threads)
             if walls is not None:
                 find(new, walls, thread, threads)
             meet(flag, thread, threads)
         if thread == 0:
             if phase != _EXECUTE:
-                _begin(room, threads)
+                _begin(room, bodies, threads)
             time = (step + 1) * time_step
-            if room.progress[0] == _EXECUTE and execute(
-                new, gas, box, grid, room.lists, walls, book, time, threads
+            if room.progress[0] == _EXECUTE and _execute(
+                new, gas, box, grid, room, walls, bodies, book, time, threads
             ):
-                room.progress[0], room.progress[1], clock[0] = _DRIFT, 1 - turn, step + 1
+                room.progress[0], room.progress[1], clock[0] = _DRIFT, other, step + 1
         meet(flag, thread, threads)
         phase = room.progress[0]
         if phase != _DRIFT:
             status = FULL if phase == _EXECUTE else GROW
             break
-        step, turn = step + 1, 1 - turn
+        step, turn = step + 1, other
         if walls is not None and walls.cursor[3] > _MANY:
             status = LEFT
             break
-    show(room.odd if turn == 1 else room.even, gas, walls, thread, threads)
+    if bodies is not None:
+        show_bodies(bodies, gas, walls, thread, threads)
+    else:
+        show(room.odd if turn == 1 else room.even, gas, walls, thread, threads)
     return status

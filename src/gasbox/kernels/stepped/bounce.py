@@ -11,7 +11,7 @@ from gasbox.kernels.hall.rebound import rebound
 from gasbox.kernels.hall.tables import KIND, MASS, NX, NY, PX, PY, S_SPEED, SIDE, WALL, Hall
 from gasbox.kernels.stepped.tables import Slots, Walls
 
-__all__ = ["bounce", "leave"]
+__all__ = ["bounce", "leave", "parked"]
 
 _PARKED = 4.0
 """Boxes between discs that have left, and everybody else."""
@@ -93,6 +93,12 @@ def bounce(
 
 
 @inlined_kernel
+def parked(row: int, box: Box) -> float:
+    """Where a disc that has left stands, far from everybody."""
+    return -(row + 2) * _PARKED * (box.width + box.height)
+
+
+@inlined_kernel
 def leave(
     e: int,
     sx: float,
@@ -117,5 +123,5 @@ def leave(
     book_crossing(book, gas.species[row], row, number, time, mass * vx, mass * vy, along, energy)
     walls.gone[row] = 1
     walls.cursor[3] += 1
-    slots.x[slot] = -(row + 2) * _PARKED * (box.width + box.height)
+    slots.x[slot] = parked(row, box)
     slots.vx[slot] = slots.vy[slot] = 0.0

@@ -9,15 +9,13 @@ from gasbox.kernels.arguments import Box, Gas, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange, nearest
 from gasbox.kernels.processor import fetch
 from gasbox.kernels.stepped.between import divided
-from gasbox.kernels.stepped.tables import Grid, Lists, Slots, Walls
+from gasbox.kernels.stepped.tables import PUSHED, Grid, Lists, Slots, Walls
 from gasbox.kernels.stepped.visit import visit
 from gasbox.kernels.stepped.ways import NONE, choices, earliest, elements, way_of
 
-__all__ = ["execute"]
+__all__ = ["AHEAD", "bounce_off", "execute", "fetch_discs", "first_of", "is_across", "is_clear"]
 
-_PUSHED = 2
-"""Mark of a disc that came near a wall, if at all, only when it was pushed."""
-_AHEAD = 8
+AHEAD = 8
 """Entries ahead of the one at hand whose memory is asked for: the next pair is anywhere."""
 
 
@@ -36,12 +34,12 @@ def _part(a: int, b: int, slots: Slots, gas: Gas, walls: Walls, dx: float, dy: f
     slots.y[a] += part * gas.mass[j] * dy
     slots.x[b] -= part * gas.mass[i] * dx
     slots.y[b] -= part * gas.mass[i] * dy
-    walls.near[i] = walls.near[i] or _PUSHED
-    walls.near[j] = walls.near[j] or _PUSHED
+    walls.near[i] = walls.near[i] or PUSHED
+    walls.near[j] = walls.near[j] or PUSHED
 
 
 @inlined_kernel
-def _is_across(slot: int, slots: Slots, gas: Gas, box: Box, grid: Grid, walls: Walls, time: float) -> bool:
+def is_across(slot: int, slots: Slots, gas: Gas, box: Box, grid: Grid, walls: Walls, time: float) -> bool:
     """Whether a disc has come across a wall that will put it back: where it is now it meets nobody."""
     row = slots.row[slot]
     if walls.near[row] != 1:
@@ -60,8 +58,8 @@ def _meet(
     dx = nearest(slots.x[a] - slots.x[b], box.width, box.periodic_x)
     dy = nearest(slots.y[a] - slots.y[b], box.height, box.periodic_y)
     if (walls.near[slots.row[a]] == 1 or walls.near[slots.row[b]] == 1) and (
-        _is_across(a, slots, gas, box, grid, walls, time)
-        or _is_across(b, slots, gas, box, grid, walls, time)
+        is_across(a, slots, gas, box, grid, walls, time)
+        or is_across(b, slots, gas, box, grid, walls, time)
         or divided(a, b, slots, gas, box, grid, walls, dx, dy)
     ):
         return
@@ -88,7 +86,7 @@ def _collide(a: int, b: int, slots: Slots, gas: Gas, box: Box, time: float, book
 
 
 @inlined_kernel
-def _bounce(slot: int, wall: int, slots: Slots, gas: Gas, time: float, book: Ledger) -> None:
+def bounce_off(slot: int, wall: int, slots: Slots, gas: Gas, time: float, book: Ledger) -> None:
     """Turn a disc at a wall (0 left, 1 right, 2 bottom, 3 top) round, if it moves towards it."""
     speed = slots.vx[slot] if wall < 2 else slots.vy[slot]
     if speed >= 0.0 if wall % 2 == 0 else speed <= 0.0:
@@ -104,7 +102,18 @@ def _bounce(slot: int, wall: int, slots: Slots, gas: Gas, time: float, book: Led
 
 
 @inlined_kernel
-def _fetch_discs(slots: Slots, entry: int) -> None:
+def first_of(lists: Lists, threads: int) -> tuple[int, int]:
+    """The thread whose next entry comes first (-1 if there is none), and the key of this entry."""
+    best, key = -1, 0
+    for thread in range(threads):
+        entry = lists.done[thread]
+        if entry < lists.found[thread] and (best < 0 or lists.key[thread, entry] < key):
+            best, key = thread, int(lists.key[thread, entry])
+    return best, key
+
+
+@inlined_kernel
+def fetch_discs(slots: Slots, entry: int) -> None:
     """Ask for what the collision in an entry of the lists will touch."""
     for slot in (entry & 0xFFFFFFFF, entry >> 32):
         fetch(slots.x, slot)
@@ -115,9 +124,9 @@ def _fetch_discs(slots: Slots, entry: int) -> None:
 
 
 @inlined_kernel
-def _is_clear(row: int, slots: Slots, box: Box, grid: Grid, walls: Walls) -> bool:
+def is_clear(row: int, slots: Slots, box: Box, grid: Grid, walls: Walls) -> bool:
     """Whether a disc that was only pushed is far from all walls."""
-    if walls.near[row] != _PUSHED:
+    if walls.near[row] != PUSHED:
         return False
     way = way_of(row, slots, walls)
     if (box.periodic_x and not 0.0 <= way[2] < box.width) or (
@@ -138,7 +147,7 @@ def _visit_walls(
     while cursor[0] < n:
         row = cursor[0]
         if walls.near[row] and not (
-            _is_clear(row, slots, box, grid, walls) or visit(row, slots, gas, box, grid, walls, book, time)
+            is_clear(row, slots, box, grid, walls) or visit(row, slots, gas, box, grid, walls, book, time)
         ):
             return False
         cursor[0] += 1
@@ -161,23 +170,19 @@ def execute(
     """Execute the lists of all threads merged, from where they stand; return False if the contacts are full."""
     n = slots.row.shape[0]
     while True:
-        best, key = -1, 0
-        for thread in range(threads):
-            entry = lists.done[thread]
-            if entry < lists.found[thread] and (best < 0 or lists.key[thread, entry] < key):
-                best, key = thread, int(lists.key[thread, entry])
+        best, key = first_of(lists, threads)
         if best < 0:
             break
         if book.kind.shape[0] > 0 and book.rows[0] >= book.kind.shape[0]:
             return False
         entry = int(lists.slot[best, lists.done[best]])
-        _fetch_discs(slots, int(lists.slot[best, min(lists.done[best] + _AHEAD, lists.slot.shape[1] - 1)]))
+        fetch_discs(slots, int(lists.slot[best, min(lists.done[best] + AHEAD, lists.slot.shape[1] - 1)]))
         if walls is not None:
             _meet(entry & 0xFFFFFFFF, entry >> 32, slots, gas, box, grid, walls, time, book)
         elif key < n * n:
             _collide(entry & 0xFFFFFFFF, entry >> 32, slots, gas, box, time, book)
         else:
-            _bounce(entry, (key - n * n) & 3, slots, gas, time, book)
+            bounce_off(entry, (key - n * n) & 3, slots, gas, time, book)
         lists.done[best] += 1
     if walls is not None:
         return _visit_walls(slots, gas, box, grid, walls, book, time)

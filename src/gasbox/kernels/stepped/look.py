@@ -10,6 +10,7 @@ from gasbox.kernels.arguments import Box
 from gasbox.kernels.collision import nearest
 from gasbox.kernels.grid import cell_of, span
 from gasbox.kernels.sorting import sort
+from gasbox.kernels.stepped.bodies import Bodies
 from gasbox.kernels.stepped.tables import Grid, Lists, Room, Slots, Walls
 from gasbox.kernels.team import share
 
@@ -25,8 +26,12 @@ def _note(key: int, slots: int, lists: Lists, thread: int, found: int) -> int:
 
 
 @inlined_kernel
-def _note_pair(first: int, second: int, slots: Slots, lists: Lists, thread: int, found: int) -> int:
+def _note_pair(
+    first: int, second: int, slots: Slots, bodies: Bodies | None, lists: Lists, thread: int, found: int
+) -> int:
     n = slots.row.shape[0]
+    if bodies is not None and bodies.owner[slots.row[first]] == bodies.owner[slots.row[second]]:
+        return found
     if slots.row[first] > slots.row[second]:
         first, second = second, first
     return _note(
@@ -35,7 +40,16 @@ def _note_pair(first: int, second: int, slots: Slots, lists: Lists, thread: int,
 
 
 @inlined_kernel
-def _near(slot: int, begin: int, end: int, slots: Slots, lists: Lists, thread: int, found: int) -> int:
+def _near(
+    slot: int,
+    begin: int,
+    end: int,
+    slots: Slots,
+    bodies: Bodies | None,
+    lists: Lists,
+    thread: int,
+    found: int,
+) -> int:
     """Note the discs in slots [begin, end) that touch the disc in `slot`, where none is seen across the border."""
     x, y, reach = slots.x[slot], slots.y[slot], slots.reach[slot]
     for other in range(begin, end):
@@ -43,7 +57,7 @@ def _near(slot: int, begin: int, end: int, slots: Slots, lists: Lists, thread: i
         dy = y - slots.y[other]
         sigma = reach + slots.reach[other]
         if dx * dx + dy * dy <= sigma * sigma:
-            found = _note_pair(slot, other, slots, lists, thread, found)
+            found = _note_pair(slot, other, slots, bodies, lists, thread, found)
     return found
 
 
@@ -57,6 +71,7 @@ def _around(
     grid: Grid,
     box: Box,
     slots: Slots,
+    bodies: Bodies | None,
     start: NDArray[np.int32],
     lists: Lists,
     thread: int,
@@ -76,7 +91,7 @@ def _around(
                 dy = nearest(y - slots.y[other], box.height, box.periodic_y)
                 sigma = reach + slots.reach[other]
                 if dx * dx + dy * dy <= sigma * sigma:
-                    found = _note_pair(slot, other, slots, lists, thread, found)
+                    found = _note_pair(slot, other, slots, bodies, lists, thread, found)
     return found
 
 
@@ -89,6 +104,7 @@ def _level(
     grid: Grid,
     box: Box,
     slots: Slots,
+    bodies: Bodies | None,
     start: NDArray[np.int32],
     lists: Lists,
     thread: int,
@@ -102,19 +118,21 @@ def _level(
         row = cell_of(slots.y[slot], along, rows)
         if not (0 < column < columns - 1 and 0 < row < rows - 1):
             after = slot + 1 if own else 0
-            found = _around(slot, after, column, row, level, grid, box, slots, start, lists, thread, found)
+            found = _around(
+                slot, after, column, row, level, grid, box, slots, bodies, start, lists, thread, found
+            )
             continue
         cell = target + row * columns + column
         if own:
             # The rest of the own row to the right; the row below holds earlier slots only.
-            found = _near(slot, slot + 1, start[cell + 2], slots, lists, thread, found)
+            found = _near(slot, slot + 1, start[cell + 2], slots, bodies, lists, thread, found)
         else:
-            found = _near(slot, start[cell - 1], start[cell + 2], slots, lists, thread, found)
+            found = _near(slot, start[cell - 1], start[cell + 2], slots, bodies, lists, thread, found)
             cell -= columns
-            found = _near(slot, start[cell - 1], start[cell + 2], slots, lists, thread, found)
+            found = _near(slot, start[cell - 1], start[cell + 2], slots, bodies, lists, thread, found)
             cell += columns
         cell += columns
-        found = _near(slot, start[cell - 1], start[cell + 2], slots, lists, thread, found)
+        found = _near(slot, start[cell - 1], start[cell + 2], slots, bodies, lists, thread, found)
     return found
 
 
@@ -142,7 +160,14 @@ def _walls(begin: int, end: int, box: Box, slots: Slots, lists: Lists, thread: i
 
 @bare_kernel
 def look(
-    slots: Slots, box: Box, grid: Grid, room: Room, walls: Walls | None, thread: int, threads: int
+    slots: Slots,
+    box: Box,
+    grid: Grid,
+    room: Room,
+    walls: Walls | None,
+    bodies: Bodies | None,
+    thread: int,
+    threads: int,
 ) -> None:
     """List, in this thread's share of the slots, what touches; in ascending order if there is room for all.
 
@@ -155,7 +180,9 @@ def look(
     for own in range(levels):
         begin, end = max(first_slot, start[grid.first[own]]), min(last_slot, start[grid.first[own + 1]])
         for level in range(own, levels):
-            found = _level(level, begin, end, level == own, grid, box, slots, start, lists, thread, found)
+            found = _level(
+                level, begin, end, level == own, grid, box, slots, bodies, start, lists, thread, found
+            )
     if walls is None:
         found = _walls(first_slot, last_slot, box, slots, lists, thread, found)
     lists.found[thread] = found

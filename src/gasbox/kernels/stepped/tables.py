@@ -11,15 +11,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.kernels.arguments import Box
+from gasbox.kernels.arguments import Box, Gas
 from gasbox.kernels.grid import classes
 from gasbox.kernels.hall import Hall, with_cells
-from gasbox.state import State
 
-__all__ = ["Grid", "Lists", "Room", "Slots", "Walls", "grid", "lists", "room", "walls"]
+__all__ = ["PUSHED", "Grid", "Lists", "Room", "Slots", "Walls", "grid", "lists", "room", "walls"]
 
 _SPACING = 0.5
 """Least width of a cell, in mean distances of the discs of its level."""
+
+
+PUSHED = 2
+"""Mark of a disc that came near a wall, if at all, only when it was pushed."""
 
 
 class Grid(NamedTuple):
@@ -174,13 +177,13 @@ def lists(threads: int, capacity: int) -> Lists:
     )
 
 
-def room(grid: Grid, state: State, threads: int) -> Room:
-    """Memory for the particles of `state`, which are taken over in the order they have there."""
-    n = state.count
+def room(grid: Grid, gas: Gas, threads: int) -> Room:
+    """Memory for the discs of a gas, which are taken over in the order they have there."""
+    n = gas.mass.shape[0]
     return Room(
         progress=np.zeros(2, np.int64),
-        even=_slots(state),
-        odd=_slots(state),
+        even=_slots(gas),
+        odd=_slots(gas),
         cell=np.zeros(n, np.int32),
         end=np.zeros((threads, int(grid.first[-1]) + 1), np.int32),
         share=np.zeros((threads, threads), np.int64),
@@ -188,6 +191,6 @@ def room(grid: Grid, state: State, threads: int) -> Room:
     )
 
 
-def _slots(state: State) -> Slots:
-    (x, y), (vx, vy) = state.position.T.copy(), state.velocity.T.copy()
-    return Slots(np.arange(state.count, dtype=np.int32), x, y, vx, vy, state.radius.copy())
+def _slots(gas: Gas) -> Slots:
+    (x, y), (vx, vy) = gas.position.T.copy(), gas.velocity.T.copy()
+    return Slots(np.arange(gas.mass.shape[0], dtype=np.int32), x, y, vx, vy, gas.radius.copy())

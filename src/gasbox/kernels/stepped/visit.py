@@ -39,23 +39,24 @@ from gasbox.kernels.stepped.ways import (
     way_of,
 )
 
-__all__ = ["visit"]
+__all__ = ["ATTEMPTS", "CROSS", "DONE", "PART", "TOUCH", "code_of", "is_full", "overlap", "visit"]
 
-_CROSS, _TOUCH, _COUNT = 0, 1, 2
+CROSS, TOUCH, COUNT = 0, 1, 2
 """The parts of a visit."""
-_ATTEMPTS = 8
+ATTEMPTS = 8
 """Times that a disc is put back in a step; one needs more only between walls that crush it."""
-_PART, _DONE = 1, 2
+PART, DONE = 1, 2
 """Columns of the cursor."""
 
 
 @inlined_kernel
-def _is_full(book: Ledger) -> bool:
+def is_full(book: Ledger) -> bool:
+    """Whether there is no room for another contact."""
     return book.kind.shape[0] > 0 and book.rows[0] >= book.kind.shape[0]
 
 
 @inlined_kernel
-def _code(e: int, image_x: int, image_y: int) -> int:
+def code_of(e: int, image_x: int, image_y: int) -> int:
     """Order of elements and images."""
     return (e * 256 + image_y + 128) * 256 + image_x + 128
 
@@ -73,14 +74,14 @@ def _turn_back(
         e, sx, sy, _ = earliest(way, where, box, walls, species, slots.vx[slot], slots.vy[slot], time, True)
         if e == NONE:
             return True
-        if _is_full(book):
+        if is_full(book):
             return False
-        if cursor[_DONE] >= _ATTEMPTS:
+        if cursor[DONE] >= ATTEMPTS:
             lift = hall.gx * (way[0] - way[2]) + hall.gy * (way[1] - way[3])
             book.rest_energy[0] -= gas.mass[row] * lift
             slots.x[slot], slots.y[slot] = way[0], way[1]
             return True
-        cursor[_DONE] += 1
+        cursor[DONE] += 1
         if hall.rule[hall.kind[e, WALL], OPEN]:
             leave(e, sx, sy, row, slots, gas, box, walls, book, time)
             return True
@@ -90,7 +91,7 @@ def _turn_back(
 
 
 @inlined_kernel
-def _overlap(
+def overlap(
     walls: Walls, e: int, sx: float, sy: float, x: float, y: float, r: float
 ) -> tuple[float, float, float]:
     """How deep a disc overlaps an element (below 0: not at all), and the normal there towards its centre."""
@@ -127,11 +128,11 @@ def _next_touch(
     best, best_code = NONE, 1 << 60
     for choice in range(choices(where, walls)):
         e, image_x, image_y = choose(choice, where, walls)
-        code = _code(e, image_x, image_y)
+        code = code_of(e, image_x, image_y)
         number = hall.kind[e, WALL]
         if not after < code < best_code or hall.rule[number, OPEN]:
             continue
-        depth, nx, ny = _overlap(walls, e, image_x * box.width, image_y * box.height, x, y, r)
+        depth, nx, ny = overlap(walls, e, image_x * box.width, image_y * box.height, x, y, r)
         if depth < 0.0:
             continue
         rate = speed(hall, number, time)
@@ -151,16 +152,16 @@ def _touch(
     level = grid.level[row]
     pulls = hall.gx != 0.0 or hall.gy != 0.0
     while True:
-        choice, code = _next_touch(cursor[_DONE], row, slots, gas, box, grid, walls, time)
+        choice, code = _next_touch(cursor[DONE], row, slots, gas, box, grid, walls, time)
         if choice == NONE:
             return True
-        if _is_full(book):
+        if is_full(book):
             return False
-        cursor[_DONE] = code
+        cursor[DONE] = code
         x, y, r = slots.x[slot], slots.y[slot], slots.reach[slot]
         where = elements((x, y, x, y, r), level, box, grid, walls)
         e, image_x, image_y = choose(choice, where, walls)
-        depth, nx, ny = _overlap(walls, e, image_x * box.width, image_y * box.height, x, y, r)
+        depth, nx, ny = overlap(walls, e, image_x * box.width, image_y * box.height, x, y, r)
         to_x, to_y = x, y
         if pulls:
             way = x, y, x + depth * nx, y + depth * ny, r
@@ -186,8 +187,8 @@ def _count(
         best, best_e = 1 << 60, NONE
         for choice in range(choices(where, walls)):
             e, image_x, image_y = choose(choice, where, walls)
-            code = _code(e, image_x, image_y)
-            if not cursor[_DONE] < code < best or hall.kind[e, KIND] != SIDE:
+            code = code_of(e, image_x, image_y)
+            if not cursor[DONE] < code < best or hall.kind[e, KIND] != SIDE:
                 continue
             if not hall.passes[hall.kind[e, WALL], species]:
                 continue
@@ -197,9 +198,9 @@ def _count(
                 along = _begins_behind(walls, e, sx, sy, way)
         if best_e == NONE:
             return True
-        if _is_full(book):
+        if is_full(book):
             return False
-        cursor[_DONE] = best
+        cursor[DONE] = best
         vx, vy = slots.vx[slot], slots.vy[slot]
         number = hall.kind[best_e, WALL]
         book_crossing(book, species, row, number, time, mass * vx, mass * vy, along, 0.0)
@@ -229,17 +230,17 @@ def visit(
 ) -> bool:
     """Do to one disc what the walls do to it in this step; False if the contacts are full (call again then)."""
     cursor = walls.cursor
-    if cursor[_PART] == _CROSS:
+    if cursor[PART] == CROSS:
         if not _turn_back(row, slots, gas, box, grid, walls, book, time):
             return False
-        cursor[_PART], cursor[_DONE] = _TOUCH, -1
-    if cursor[_PART] == _TOUCH and not walls.gone[row]:
+        cursor[PART], cursor[DONE] = TOUCH, -1
+    if cursor[PART] == TOUCH and not walls.gone[row]:
         if not _touch(row, slots, gas, box, grid, walls, book, time):
             return False
-        cursor[_PART], cursor[_DONE] = _COUNT, -1
+        cursor[PART], cursor[DONE] = COUNT, -1
     if not walls.gone[row]:
         if not _count(row, slots, gas, box, grid, walls, book, time):
             return False
         _wrap(row, slots, box, walls)
-    cursor[_PART], cursor[_DONE] = _CROSS, 0
+    cursor[PART], cursor[DONE] = CROSS, 0
     return True
