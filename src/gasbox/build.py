@@ -9,7 +9,7 @@ import numpy as np
 
 from gasbox import dynamics as rules
 from gasbox.errors import Problem, ScenarioError
-from gasbox.geometry import Geometry
+from gasbox.geometry import Enclosure, Geometry
 from gasbox.initial import Overlap, populate, recall_walls, separate, worst_overlap
 from gasbox.kernels.forced.bath import T_TO
 from gasbox.protocols import Dynamics
@@ -76,6 +76,8 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
         _part(state, geometry, scenario, warnings)
     if isinstance(scenario.dynamics, Forced) and memory is None:
         warnings += _calm(state, geometry, scenario)
+    if isinstance(scenario.dynamics, Stepped):
+        _refuse_discs_outside(state, geometry)
     dynamics = _dynamics(scenario, state, geometry, memory, threads)
     if isinstance(scenario.dynamics, Stepped):
         warnings += _tunnelling(state, scenario.dynamics.time_step)
@@ -211,15 +213,31 @@ def _overlap_problem(overlap: Overlap) -> Problem:
 def _tunnelling(state: State, time_step: float) -> list[str]:
     if not state.count:
         return []
-    fastest = float(np.sqrt((state.velocity**2).sum(axis=1).max()))
-    smallest = float(state.radius.min())
+    speed = np.sqrt((state.velocity**2).sum(axis=1))
+    if state.sites is not None:
+        speed += np.abs(state.angular_velocity) * state.radius
+    fastest = float(speed.max())
+    smallest = float((state.radius if state.sites is None else state.sites.radius).min())
     if fastest * time_step <= smallest:
         return []
+    moves = "moves" if state.sites is None else "moves, with its rotation at the rim,"
     return [
-        f"discs can pass through each other: the fastest moves {fastest * time_step:.3g} in a step, "
+        f"discs can pass through each other: the fastest {moves} {fastest * time_step:.3g} in a step, "
         f"the smallest radius is {smallest:.3g}; shorten dynamics.time_step to at most {smallest / fastest:.2g}, "
         'or use dynamics kind "event-driven"'
     ]
+
+
+def _refuse_discs_outside(state: State, geometry: Geometry) -> None:
+    """Raise ScenarioError for molecules with discs whose centres lie beyond a wall: they would never return."""
+    if state.sites is None or not isinstance(geometry, Enclosure):
+        return
+    outside = ~geometry.at(state.wall_displacement).holds(geometry.wrap(state.sites.position), 0.0)
+    rows = np.unique(state.sites.owner[outside])
+    if rows.size:
+        ids = ", ".join(str(state.id[row]) for row in rows[:5]) + (", ..." if rows.size > 5 else "")
+        found = f"molecules {ids} with discs whose centres lie beyond a wall"
+        raise ScenarioError([Problem("particles", found, "all centres must lie inside the container")])
 
 
 def _frame_interval(scenario: Scenario, state: State, geometry: Geometry) -> float:

@@ -34,6 +34,8 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None, bac
         ("forced dynamics, molecules", _push_tiny_molecules),
         ("stepped dynamics, walls of any shape", lambda: _run_tiny("stepped", enclosed=True)),
         ("event-driven dynamics, walls of any shape", lambda: _run_tiny("event-driven", enclosed=True)),
+        ("stepped molecules", lambda: _run_tiny("stepped", molecules=True)),
+        ("stepped molecules, walls of any shape", lambda: _run_tiny("stepped", True, True)),
     ]
     for done, (name, compile_part) in enumerate(reversed(parts) if backwards else parts):
         if progress is not None:
@@ -54,10 +56,16 @@ _ENCLOSED: Final[dict[str, Any]] = {
 _POST: Final[dict[str, Any]] = {"shape": "disc", "center": [5, 5], "radius": 1}
 
 
-def _tiny(kind: str, enclosed: bool = False) -> Scenario:
+_MOLECULES: Final[dict[str, Any]] = {
+    "molecules": [{"name": "hydrogen", "model": "hydrogen", "count": 4, "temperature": 1}]
+}
+
+
+def _tiny(kind: str, enclosed: bool = False, molecules: bool = False) -> Scenario:
     return parse(
         {
             **(_ENCLOSED if enclosed else {}),
+            **(_MOLECULES if molecules else {}),
             "format": "gasbox-scenario/1",
             "container": {"shape": "rectangle", "width": 20, "height": 20},
             "species": [
@@ -107,7 +115,7 @@ def _part_tiny() -> None:
     separate(state, geometry)
 
 
-def _run_tiny(kind: str, enclosed: bool = False) -> None:
-    parts = build(_tiny(kind, enclosed))
+def _run_tiny(kind: str, enclosed: bool = False, molecules: bool = False) -> None:
+    parts = build(_tiny(kind, enclosed, molecules))
     parts.dynamics.contacts = Contacts.empty(8)
     parts.dynamics.advance(parts.state, 2.0)

@@ -8,7 +8,7 @@ from typing import Protocol, runtime_checkable
 from gasbox.geometry import Geometry
 from gasbox.state import Contacts, Control, Memory, State, Tallies
 
-__all__ = ["Controlled", "Dynamics", "Observer", "Status"]
+__all__ = ["Controlled", "Dynamics", "Observer", "Status", "Warns"]
 
 
 class Status(IntEnum):
@@ -66,6 +66,15 @@ class Controlled(Protocol):
         UsageError
             This gas cannot have such a bath.
         """
+        ...
+
+
+@runtime_checkable
+class Warns(Protocol):
+    """What a dynamics also has if it notices that it could not do as it should."""
+
+    def warnings(self) -> tuple[str, ...]:
+        """Sentences on what went wrong in this run so far, and what helps."""
         ...
 
 

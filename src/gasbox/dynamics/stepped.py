@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.dynamics.halls import make_hall, start_walls, wall_rows
+from gasbox.dynamics.mishaps import mishaps_told
 from gasbox.dynamics.team import Team, fitting_threads
 from gasbox.geometry import Enclosure, Geometry, Path, Rectangle
 from gasbox.kernels import arguments, stepped
@@ -216,6 +217,10 @@ class Stepped:
             out = np.maximum(state.wall_displacement[[1, 3]], 0.0)
             if needed.width + out[0] > self._box.width or needed.height + out[1] > self._box.height:
                 self.resync(state)
+
+    def warnings(self) -> tuple[str, ...]:
+        """Sentences on what went wrong with molecules in this run so far."""
+        return mishaps_told(*self._mishaps)
 
     def memory(self) -> Memory:
         """``step``: steps done since time 0; of an enclosure that moves also ``walls``, how each does."""

@@ -16,6 +16,7 @@ from gasbox.scenario.falling import falling_problems
 from gasbox.scenario.forced_rules import forced_problems
 from gasbox.scenario.kinds import site_kinds_of
 from gasbox.scenario.molecule_rules import molecule_problems
+from gasbox.scenario.molecule_walls import molecule_wall_problems
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.placement import Placement, placement_problems
 from gasbox.scenario.problems import near, short
@@ -47,6 +48,7 @@ def broken_rules(parts: Parts) -> list[Problem]:
         falling_problems,
         forced_problems,
         molecule_problems,
+        molecule_wall_problems,
     )
     problems = [problem for rule in rules for problem in rule(parts)]
     shapes = [*container_problems(parts.container), *obstacle_problems(parts)]

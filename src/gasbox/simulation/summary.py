@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from gasbox import observe
 from gasbox.geometry import Geometry
-from gasbox.protocols import Dynamics
+from gasbox.protocols import Dynamics, Warns
 from gasbox.scenario import Forced, Scenario, Stepped
 from gasbox.state import State, Tallies
 from gasbox.version import __version__
@@ -90,10 +90,16 @@ def summary(simulation: Run) -> dict[str, Any]:
         "wall_seconds": seconds,
         "collisions_per_second": collisions / seconds if seconds > 0 else None,
         "particle_steps_per_second": _particle_steps(simulation, duration) if seconds > 0 else None,
-        "warnings": list(simulation.warnings),
+        "warnings": _warnings(simulation),
         "version": __version__,
         "scenario_hash": simulation.scenario.hash(),
     }
+
+
+def _warnings(simulation: Run) -> list[str]:
+    """What was to be said at the start, and what its dynamics has noticed since."""
+    dynamics = simulation.dynamics
+    return [*simulation.warnings, *(dynamics.warnings() if isinstance(dynamics, Warns) else ())]
 
 
 def mean_geometry(simulation: Run) -> Geometry:

@@ -15,7 +15,18 @@ from gasbox.kernels.stepped.recoil import bounce_body
 from gasbox.kernels.stepped.sides import MOST_BOUNCES
 from gasbox.kernels.stepped.strike import closing_speed, shift_body, take_over
 from gasbox.kernels.stepped.tables import Grid, Slots, Walls
-from gasbox.kernels.stepped.visit import CROSS, DONE, PART, TOUCH, code_of, is_full, overlap, visit
+from gasbox.kernels.stepped.visit import (
+    COUNT,
+    CROSS,
+    DONE,
+    PART,
+    TOUCH,
+    code_of,
+    count_way,
+    is_full,
+    overlap,
+    visit,
+)
 from gasbox.kernels.stepped.ways import NONE, choices, choose, earliest, elements, lets_pass
 
 __all__ = ["visit_all"]
@@ -120,8 +131,25 @@ def _settle_in(
 
 
 @bare_kernel
+def _count(
+    row: int, gas: Gas, bodies: Bodies, box: Box, grid: Grid, walls: Walls, book: Ledger, time: float
+) -> bool:
+    """Count a molecule at each line that its centre of mass has crossed; False if the contacts are full."""
+    site, vx, vy = bodies.first[row], bodies.velocity[row, 0], bodies.velocity[row, 1]
+    way = (
+        bodies.before[row, 0],
+        bodies.before[row, 1],
+        bodies.position[row, 0],
+        bodies.position[row, 1],
+        gas.radius[site],
+    )
+    return count_way(way, site, vx, vy, gas, box, grid, walls, book, time)
+
+
+@bare_kernel
 def _visit_body(
     row: int,
+    lines: bool,
     slots: Slots,
     gas: Gas,
     bodies: Bodies,
@@ -135,14 +163,18 @@ def _visit_body(
     near = False
     for site in range(bodies.first[row], bodies.first[row + 1]):
         near = near or walls.near[site] != 0
-    if not near:
+    if not near and not lines:
         return True
     cursor = walls.cursor
     if cursor[PART] == CROSS:
         if not hold_back(row, slots, gas, bodies, box, grid, walls, book, time):
             return False
         cursor[PART], cursor[DONE] = TOUCH, 0
-    if not _settle_in(row, slots, gas, bodies, box, grid, walls, book, time):
+    if cursor[PART] == TOUCH:
+        if not _settle_in(row, slots, gas, bodies, box, grid, walls, book, time):
+            return False
+        cursor[PART], cursor[DONE] = COUNT, -1
+    if lines and not _count(row, gas, bodies, box, grid, walls, book, time):
         return False
     cursor[PART], cursor[DONE] = CROSS, 0
     for axis in range(2):
@@ -191,13 +223,17 @@ def visit_all(
     time: float,
 ) -> bool:
     """All that walls do in this step, body by body, from where they stand; False if the contacts are full."""
-    cursor = walls.cursor
+    cursor, passes = walls.cursor, walls.hall.passes
+    lines = False
+    for number in range(passes.shape[0]):
+        for kind in range(passes.shape[1]):
+            lines = lines or passes[number, kind]
     while cursor[0] < bodies.mass.shape[0]:
         row = cursor[0]
         if is_single(bodies, row):
             done = _visit_disc(row, slots, gas, bodies, box, grid, walls, book, time)
         else:
-            done = _visit_body(row, slots, gas, bodies, box, grid, walls, book, time)
+            done = _visit_body(row, lines, slots, gas, bodies, box, grid, walls, book, time)
         if not done:
             return False
         cursor[0] += 1

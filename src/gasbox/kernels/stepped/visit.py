@@ -39,7 +39,19 @@ from gasbox.kernels.stepped.ways import (
     way_of,
 )
 
-__all__ = ["ATTEMPTS", "CROSS", "DONE", "PART", "TOUCH", "code_of", "is_full", "overlap", "visit"]
+__all__ = [
+    "ATTEMPTS",
+    "COUNT",
+    "CROSS",
+    "DONE",
+    "PART",
+    "TOUCH",
+    "code_of",
+    "count_way",
+    "is_full",
+    "overlap",
+    "visit",
+]
 
 CROSS, TOUCH, COUNT = 0, 1, 2
 """The parts of a visit."""
@@ -179,12 +191,30 @@ def _count(
     row: int, slots: Slots, gas: Gas, box: Box, grid: Grid, walls: Walls, book: Ledger, time: float
 ) -> bool:
     """Count a disc at each line that it has crossed and may cross, in their order; False if the contacts are full."""
-    hall, cursor, slot = walls.hall, walls.cursor, walls.slot[row]
-    species, mass = gas.species[row], gas.mass[row]
+    slot = walls.slot[row]
     way = way_of(row, slots, walls)
+    return count_way(way, row, slots.vx[slot], slots.vy[slot], gas, box, grid, walls, book, time)
+
+
+@inlined_kernel
+def count_way(
+    way: Way,
+    row: int,
+    vx: float,
+    vy: float,
+    gas: Gas,
+    box: Box,
+    grid: Grid,
+    walls: Walls,
+    book: Ledger,
+    time: float,
+) -> bool:
+    """Count the crossings of lines on the way of a centre, that of the disc in `row` or of what it belongs to."""
+    hall, cursor = walls.hall, walls.cursor
+    species, mass = gas.species[row], gas.mass[row]
     where = elements(way, grid.level[row], box, grid, walls)
     while True:
-        best, best_e = 1 << 60, NONE
+        best, best_e, along = 1 << 60, NONE, False
         for choice in range(choices(where, walls)):
             e, image_x, image_y = choose(choice, where, walls)
             code = code_of(e, image_x, image_y)
@@ -201,7 +231,6 @@ def _count(
         if is_full(book):
             return False
         cursor[DONE] = best
-        vx, vy = slots.vx[slot], slots.vy[slot]
         number = hall.kind[best_e, WALL]
         book_crossing(book, species, row, number, time, mass * vx, mass * vy, along, 0.0)
 
