@@ -76,8 +76,8 @@ class MoleculesTwin:
                 if self.owner[p] != self.owner[q] and dx * dx + dy * dy <= (r[p] + r[q]) ** 2:
                     touching.append((p, q))
         for sweep in range(8):
-            # No short cut: all are looked at.
-            if not any([self.meet(p, q, sweep) for p, q in touching]):
+            met = [self.meet(p, q, sweep) for p, q in touching]
+            if not any(met):
                 return
             self.sweeps = max(self.sweeps, sweep + 1)
 
@@ -107,13 +107,18 @@ class MoleculesTwin:
         away = math.sqrt(dx * dx + dy * dy)
         nx, ny = dx / away, dy / away
         one, other = self.contact(p, nx, ny), self.contact(q, nx, ny)
-        approach = one[1] - other[1]
+        approach = self.closing(p, q, one[0], other[0], nx, ny)
         if approach >= -GRAZING * (one[2] + other[2]):
             return False
         impulse = -2.0 * approach / (one[3] + other[3])
         self.push(i, one[0], nx, ny, impulse)
         self.push(j, other[0], nx, ny, -impulse)
         return True
+
+    def closing(self, p, q, lever_p, lever_q, nx, ny):
+        s, i, j = self.state, self.owner[p], self.owner[q]
+        dvx, dvy = s.velocity[i] - s.velocity[j]
+        return dvx * nx + dvy * ny + s.angular_velocity[i] * lever_p - s.angular_velocity[j] * lever_q
 
     def contact(self, site, nx, ny):
         """Lever arm, normal speed, the speeds in it, and change of the speed for each unit of impulse."""

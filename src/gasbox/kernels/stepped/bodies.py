@@ -58,6 +58,7 @@ class Bodies(NamedTuple):
     mass, inertia, angle, spin : (n,) float64 [mass], [mass·length²], [rad], [rad/time]
     position, velocity : (n, 2) float64, of the centre of mass [length], [length/time]
     before : (n, 3) float64, position and angle at the begin of the step; unwrapped, so that the way is straight
+    fallen : (2,) float64, what gravity has added to velocities in this step [length/time]
     cursor : (3,) int64, how far the execution is: sweep, whether anything collided in it, bounces of one body
     mishaps : (3,) int64; worst : (1,) float64; what went wrong so far, see the columns above
     """
@@ -73,6 +74,7 @@ class Bodies(NamedTuple):
     position: NDArray[np.float64]
     velocity: NDArray[np.float64]
     before: NDArray[np.float64]
+    fallen: NDArray[np.float64]
     cursor: NDArray[np.int64]
     mishaps: NDArray[np.int64]
     worst: NDArray[np.float64]
@@ -100,6 +102,7 @@ def bodies(state: State, mishaps: NDArray[np.int64], worst: NDArray[np.float64])
         state.position,
         state.velocity,
         np.zeros((n, 3)),
+        np.zeros(2),
         np.zeros(3, np.int64),
         mishaps,
         worst,
@@ -166,6 +169,8 @@ def carry(
 ) -> None:
     """Move this thread's share of the bodies, and put their sites where they are, in their own order."""
     begin, end = share(bodies.mass.shape[0], thread, threads)
+    if walls is not None and thread == 0:
+        bodies.fallen[0], bodies.fallen[1] = walls.hall.gx * time_step, walls.hall.gy * time_step
     for row in range(begin, end):
         if walls is not None:
             _fly(bodies, row, slots, box, walls, time_step)

@@ -10,7 +10,7 @@ from gasbox.kernels.hall.motion import speed
 from gasbox.kernels.hall.tables import CORNER, FACES, KIND, NX, NY, PX, PY, SIDE, WALL
 from gasbox.kernels.stepped.bodies import HELD_BACK, Bodies, turn_arms, wrap_site
 from gasbox.kernels.stepped.recoil import bounce_body
-from gasbox.kernels.stepped.strike import closing_speed
+from gasbox.kernels.stepped.strike import closing_at
 from gasbox.kernels.stepped.tables import PUSHED, Grid, Slots, Walls
 from gasbox.kernels.stepped.visit import ATTEMPTS, DONE, is_full
 from gasbox.kernels.stepped.ways import NONE, earliest, elements, way_of
@@ -36,13 +36,21 @@ def _first_crossing(
 
 @bare_kernel
 def _go_back(
-    row: int, dx: float, dy: float, slots: Slots, bodies: Bodies, box: Box, walls: Walls, book: Ledger
-) -> None:
-    """Put a body to where it was when the step began, and (dx, dy) beside it."""
-    hall = walls.hall
+    row: int, first: bool, dx: float, dy: float, slots: Slots, bodies: Bodies, box: Box, walls: Walls
+) -> float:
+    """Put a body to where it was when the step began, and (dx, dy) beside it; the energy that sets free.
+
+    The `first` time it loses the speed that it fell up in this step: what is then set free is what the collisions of
+    this step have done.
+    """
+    hall, mass = walls.hall, bodies.mass[row]
     x, y = bodies.before[row, 0] + dx, bodies.before[row, 1] + dy
-    lift = hall.gx * (x - bodies.position[row, 0]) + hall.gy * (y - bodies.position[row, 1])
-    book.rest_energy[0] -= bodies.mass[row] * lift
+    free = mass * (hall.gx * (x - bodies.position[row, 0]) + hall.gy * (y - bodies.position[row, 1]))
+    if first:
+        vx, vy = bodies.velocity[row, 0], bodies.velocity[row, 1]
+        wx, wy = vx - bodies.fallen[0], vy - bodies.fallen[1]
+        bodies.velocity[row, 0], bodies.velocity[row, 1] = wx, wy
+        free += 0.5 * mass * (vx * vx + vy * vy - wx * wx - wy * wy)
     bodies.position[row, 0], bodies.position[row, 1] = x, y
     bodies.angle[row] = bodies.before[row, 2]
     turn_arms(bodies, row)
@@ -51,6 +59,7 @@ def _go_back(
         slots.x[slot], slots.y[slot] = walls.before[site, 0] + dx, walls.before[site, 1] + dy
         wrap_site(site, slot, slots, box, walls)
         walls.near[site] = walls.near[site] or PUSHED
+    return free
 
 
 @inlined_kernel
@@ -92,7 +101,7 @@ def hold_back(
             return False
         bodies.mishaps[HELD_BACK] += 1
         if cursor[DONE] >= ATTEMPTS:
-            _go_back(row, 0.0, 0.0, slots, bodies, box, walls, book)
+            book.rest_energy[0] -= _go_back(row, False, 0.0, 0.0, slots, bodies, box, walls)
             return True
         # A wall that moves takes along whom it meets.
         number = hall.kind[e, WALL]
@@ -102,14 +111,16 @@ def hold_back(
             dx += bodies.position[row, 0] - bodies.before[row, 0]
             dy += bodies.position[row, 1] - bodies.before[row, 1]
         cursor[DONE] += 1
-        _go_back(row, dx, dy, slots, bodies, box, walls, book)
+        lift = _go_back(row, cursor[DONE] == 1, dx, dy, slots, bodies, box, walls)
         nx, ny = _face(walls, e, sx, sy, site, slots)
         u = speed(hall, number, time) * (hall.shape[e, NX] * nx + hall.shape[e, NY] * ny)
-        closing = closing_speed(bodies, row, site, nx, ny, u)
+        closing = closing_at(bodies, row, site, nx, ny, u)
         if closing < 0.0:
             epoch = -float(1 + e + hall.kind.shape[0] * cursor[DONE])
-            bounce_body(e, nx, ny, closing, 0.0, epoch, site, row, gas, bodies, walls, book, time)
-        elif u == 0.0:
+            bounce_body(e, nx, ny, closing, lift, epoch, site, row, gas, bodies, walls, book, time)
+            continue
+        book.rest_energy[0] -= lift
+        if u == 0.0:
             _turn_about(e, nx, ny, site, row, gas, bodies, walls, book, time)
 
 

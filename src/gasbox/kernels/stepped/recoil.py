@@ -10,7 +10,7 @@ from gasbox.kernels.hall.motion import speed
 from gasbox.kernels.hall.rebound import thermal_speeds
 from gasbox.kernels.hall.tables import MASS, NX, NY, PUSH, S_PUSH, S_SPEED, TEMPERATURE, WALL, Hall
 from gasbox.kernels.stepped.bodies import Bodies
-from gasbox.kernels.stepped.strike import compliance, lever, push_body
+from gasbox.kernels.stepped.strike import lever_of, push_body, yielding_of
 from gasbox.kernels.stepped.tables import Walls
 
 __all__ = ["bounce_body"]
@@ -82,8 +82,8 @@ def bounce_body(
     time: float,
 ) -> None:
     """A site strikes element e: its body recoils."""
-    hall, arm = walls.hall, lever(bodies, site, nx, ny)
-    yielding = compliance(bodies, row, arm)
+    hall, arm = walls.hall, lever_of(bodies, site, nx, ny)
+    yielding = yielding_of(bodies, row, arm)
     impulse = _recoil(hall, e, nx, ny, closing, yielding, lift, book.id[site], time, epoch)
     push_body(bodies, row, arm, nx, ny, impulse)
     number = hall.kind[e, WALL]

@@ -13,7 +13,7 @@ from gasbox.kernels.stepped.execute import is_clear
 from gasbox.kernels.stepped.hold import hold_back
 from gasbox.kernels.stepped.recoil import bounce_body
 from gasbox.kernels.stepped.sides import MOST_BOUNCES
-from gasbox.kernels.stepped.strike import closing_speed, shift_body, take_over
+from gasbox.kernels.stepped.strike import closing_at, shift_body, take_over
 from gasbox.kernels.stepped.tables import Grid, Slots, Walls
 from gasbox.kernels.stepped.visit import (
     COUNT,
@@ -55,7 +55,7 @@ def _next_touch(
             if depth < 0.0:
                 continue
             rate = speed(hall, number, time)
-            closing = closing_speed(
+            closing = closing_at(
                 bodies, row, site, nx, ny, rate * (hall.shape[e, NX] * nx + hall.shape[e, NY] * ny)
             )
             vx, vy = bodies.velocity[row, 0], bodies.velocity[row, 1]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas, Ledger, book_wall
 from gasbox.kernels.stepped.bodies import BOUNCES, CUT_SHORT, Bodies
-from gasbox.kernels.stepped.strike import closing_speed, compliance, lever, push_body
+from gasbox.kernels.stepped.strike import closing_at, lever_of, push_body, yielding_of
 from gasbox.kernels.stepped.visit import is_full
 
 __all__ = ["settle"]
@@ -39,7 +39,7 @@ def settle(row: int, gas: Gas, bodies: Bodies, box: Box, book: Ledger, time: flo
     while choice < last:
         site, wall = begin + choice // 4, choice % 4
         nx, ny = _side(wall)
-        closing = closing_speed(bodies, row, site, nx, ny, 0.0)
+        closing = closing_at(bodies, row, site, nx, ny, 0.0)
         if closing == 0.0 or not _is_at(site, row, wall, gas, bodies, box):
             choice += 1
             continue
@@ -49,8 +49,8 @@ def settle(row: int, gas: Gas, bodies: Bodies, box: Box, book: Ledger, time: flo
         if is_full(book):
             return False
         bodies.cursor[BOUNCES] += 1
-        arm = lever(bodies, site, nx, ny)
-        impulse = -2.0 * closing / compliance(bodies, row, arm)
+        arm = lever_of(bodies, site, nx, ny)
+        impulse = -2.0 * closing / yielding_of(bodies, row, arm)
         push_body(bodies, row, arm, nx, ny, impulse)
         book_wall(book, gas.species[site], site, wall, time, impulse * nx, impulse * ny)
         choice = 0

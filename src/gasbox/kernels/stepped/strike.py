@@ -7,14 +7,14 @@ import math
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas, Ledger, book_pair
 from gasbox.kernels.collision import exchange, nearest
+from gasbox.kernels.molecules.impulse import blow, closing_speed, lever, yielding
 from gasbox.kernels.stepped.bodies import DEEP, DEEPEST, Bodies, is_single
 from gasbox.kernels.stepped.tables import PUSHED, Slots, Walls
 
 __all__ = [
     "GRAZING",
-    "closing_speed",
-    "compliance",
-    "lever",
+    "closing_at",
+    "lever_of",
     "move_apart",
     "normal_speed",
     "push_body",
@@ -22,6 +22,7 @@ __all__ = [
     "speed_scale",
     "strike",
     "take_over",
+    "yielding_of",
 ]
 
 
@@ -30,16 +31,15 @@ GRAZING = 1e-12
 
 
 @inlined_kernel
-def lever(bodies: Bodies, site: int, nx: float, ny: float) -> float:
+def lever_of(bodies: Bodies, site: int, nx: float, ny: float) -> float:
     """Lever arm, about the centre of mass, of an impulse along n through the centre of a site [length]."""
-    return bodies.arm[site, 0] * ny - bodies.arm[site, 1] * nx
+    return lever(bodies.arm[site, 0], bodies.arm[site, 1], nx, ny)
 
 
 @inlined_kernel
-def compliance(bodies: Bodies, row: int, lever: float) -> float:
+def yielding_of(bodies: Bodies, row: int, lever: float) -> float:
     """Change of the normal speed at a contact for each unit of impulse: one over the mass that is felt there."""
-    turning = lever * lever / bodies.inertia[row] if bodies.inertia[row] > 0.0 else 0.0
-    return 1.0 / bodies.mass[row] + turning
+    return yielding(bodies.mass[row], bodies.inertia[row], lever)
 
 
 @inlined_kernel
@@ -65,9 +65,9 @@ def speed_scale(bodies: Bodies, row: int, lever: float) -> float:
 
 
 @inlined_kernel
-def closing_speed(bodies: Bodies, row: int, site: int, nx: float, ny: float, u: float) -> float:
+def closing_at(bodies: Bodies, row: int, site: int, nx: float, ny: float, u: float) -> float:
     """Speed along n of a site relative to a wall that moves at u, if it approaches; otherwise 0 [length/time]."""
-    arm = lever(bodies, site, nx, ny)
+    arm = lever_of(bodies, site, nx, ny)
     closing = normal_speed(bodies, row, arm, nx, ny) - u
     return closing if closing < -GRAZING * (speed_scale(bodies, row, arm) + abs(u)) else 0.0
 
@@ -141,11 +141,13 @@ def strike(
         return False
     _judge(slots.reach[a], slots.reach[b], away, bodies)
     nx, ny = dx / away, dy / away
-    lever_i, lever_j = lever(bodies, p, nx, ny), lever(bodies, q, nx, ny)
-    approach = normal_speed(bodies, i, lever_i, nx, ny) - normal_speed(bodies, j, lever_j, nx, ny)
-    if not approach < -GRAZING * (speed_scale(bodies, i, lever_i) + speed_scale(bodies, j, lever_j)):
+    lever_i, lever_j = lever_of(bodies, p, nx, ny), lever_of(bodies, q, nx, ny)
+    dvx = bodies.velocity[i, 0] - bodies.velocity[j, 0]
+    dvy = bodies.velocity[i, 1] - bodies.velocity[j, 1]
+    closing = closing_speed(dvx, dvy, nx, ny, bodies.spin[i], lever_i, bodies.spin[j], lever_j)
+    if not closing < -GRAZING * (speed_scale(bodies, i, lever_i) + speed_scale(bodies, j, lever_j)):
         return False
-    impulse = -2.0 * approach / (compliance(bodies, i, lever_i) + compliance(bodies, j, lever_j))
+    impulse = blow(closing, yielding_of(bodies, i, lever_i), yielding_of(bodies, j, lever_j))
     push_body(bodies, i, lever_i, nx, ny, impulse)
     push_body(bodies, j, lever_j, nx, ny, -impulse)
     _tell(a, i, slots, bodies)
