@@ -7,6 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from gasbox.dynamics.changes import as_enclosure
+from gasbox.dynamics.epochs import epoch_length, expected_rate
 from gasbox.dynamics.halls import make_hall, set_waves, start_walls, turn_walls, wall_rows
 from gasbox.errors import DynamicsError
 from gasbox.geometry import Enclosure, Geometry, Rectangle
@@ -33,34 +35,13 @@ from gasbox.kernels.event_driven.tables import (
 )
 from gasbox.kernels.hall import Hall, with_cells
 from gasbox.kernels.hall.motion import next_turn, shift_walls, show_walls
+from gasbox.kernels.molecules.spin import ANGLE, TURNING, show_turns, spin
 from gasbox.protocols import Status
 from gasbox.state import Contacts, Memory, State, Tallies
 
-__all__ = ["EventDriven", "epoch_length"]
+__all__ = ["EventDriven"]
 
-
-def epoch_length(state: State, geometry: Geometry) -> float:
-    """Length of an epoch [time]: a power of two in which a disc flies some 500 radii, or a few times across the box.
-
-    References move to the next epoch at whole multiples of it, so that late times lose no digits.
-    """
-    speed = _typical_speed(state, geometry)
-    if speed == 0.0:
-        return 2.0**20
-    way = max(500.0 * float(np.median(state.radius)), geometry.width, geometry.height)
-    return 2.0 ** round(math.log2(way / speed))
-
-
-def _typical_speed(state: State, geometry: Geometry) -> float:
-    """Of the discs as they are, and of what gravity and warm walls may make of them [length/time]."""
-    if not state.count:
-        return 0.0
-    square = float((state.velocity**2).sum(axis=1).mean())
-    if isinstance(geometry, Enclosure):
-        square += 0.5 * math.hypot(*geometry.gravity) * float(geometry.size.max())
-        warmest = max((wall.temperature or 0.0 for wall in geometry.walls), default=0.0)
-        square += warmest / float(state.mass.min())
-    return math.sqrt(square)
+_REFERENCES = ("position", "velocity", "time", "angle", "angular_velocity")
 
 
 class EventDriven:
@@ -94,7 +75,7 @@ class EventDriven:
         self.contacts = contacts
         self._seed = seed
         self._hall: Hall | None = None
-        self._enter(geometry)
+        self._enter(geometry, state)
         if memory is None:
             self._epoch_length = epoch_length(state, geometry)
             self._epoch = math.floor(state.time / self._epoch_length)
@@ -104,13 +85,15 @@ class EventDriven:
         self._epoch_length = float(memory["epoch_length"])
         self._epoch = int(memory["epoch"])
         self._set_walls(state, memory.get("walls"))
-        self._refer(state, memory["position"], memory["velocity"], memory["time"])
+        self._refer(state, memory)
 
-    def _enter(self, geometry: Geometry) -> None:
-        self._geometry = geometry
+    def _enter(self, geometry: Geometry, state: State) -> None:
+        # The kernels know the sides of a plain rectangle for discs alone.
+        turns = state.sites is not None and state.sites.count > state.count
+        self._geometry = as_enclosure(geometry) if turns else geometry
         self._box = arguments.box(geometry)
         species = self.tallies.pair_collisions.shape[0]
-        self._bare = make_hall(geometry, species, self._seed)
+        self._bare = make_hall(self._geometry, species, self._seed)
 
     def _set_walls(self, state: State, rows: NDArray[np.float64] | None = None) -> None:
         """Set walls in motion: as remembered, or at the time of the state, pistons where the state has them."""
@@ -127,7 +110,7 @@ class EventDriven:
 
     def alter(self, state: State, geometry: Geometry) -> None:
         """Take over another geometry at the time of the state; walls that move do so from where they are."""
-        self._enter(geometry)
+        self._enter(geometry, state)
         self._set_walls(state)
         self.resync(state)
 
@@ -137,26 +120,29 @@ class EventDriven:
 
     def resync(self, state: State) -> None:
         """Take over `state` as it stands: its positions and velocities become the references."""
-        self._refer(state, state.position, state.velocity, state.time - self._start)
+        references: Memory = {"position": state.position, "velocity": state.velocity}
+        if state.sites is not None:
+            references |= {"angle": state.angle, "angular_velocity": state.angular_velocity}
+        self._refer(state, {**references, "time": state.time - self._start})
 
-    def _refer(
-        self,
-        state: State,
-        position: NDArray[np.float64],
-        velocity: NDArray[np.float64],
-        time: NDArray[np.float64] | float,
-    ) -> None:
-        """Make new tables from references (n, 2), (n, 2), (n,), for a state at its own time."""
+    def _refer(self, state: State, references: Memory) -> None:
+        """Make new tables from references (as `memory` has them), for a state at its own time."""
         self._box = self._box_around(state)
         size, periodic = (self._box.width, self._box.height), (self._box.periodic_x, self._box.periodic_y)
         self._tables = event_driven.tables(state.radius, state.mass, state.species, size, periodic)
-        self._hall = None if self._bare is None else self._with_cells(self._bare)
         flight = self._tables.flight
-        flight[:, X : X + 2] = position
-        flight[:, VX : VX + 2] = velocity
-        flight[:, T0] = time
+        flight[:, X : X + 2] = references["position"]
+        flight[:, VX : VX + 2] = references["velocity"]
+        flight[:, T0] = references["time"]
+        self._spin = spin(state, self.tallies.pair_collisions.shape[0])
+        if self._spin is not None:
+            self._spin.turn[:, ANGLE] = references["angle"]
+            self._spin.turn[:, TURNING] = references["angular_velocity"]
+            # Molecules are looked for in their bounding circles, and these overlap.
+            self._tables.levels[:, CROWDED] = 0
+        self._hall = None if self._bare is None else self._with_cells(self._bare)
         self._events_before = 0
-        self._rate = self._expected_rate(state)
+        self._rate = expected_rate(state, self._geometry, self._epoch_length)
         self._rebuild(state.time - self._start)
 
     def _box_around(self, state: State) -> arguments.Box:
@@ -183,24 +169,18 @@ class EventDriven:
         columns, rows, first = (levels[:, column].copy() for column in (COLUMNS, ROWS, FIRST))
         return with_cells(hall, size, self._geometry.periodic, columns, rows, first, largest)
 
-    def _expected_rate(self, state: State) -> float:
-        """Events per time to expect before any were counted; rather too many, since empty buckets cost little."""
-        if not state.count:
-            return 1.0
-        speed = math.sqrt(float((state.velocity**2).sum(axis=1).mean()))
-        spacing = math.sqrt(self._geometry.area / state.count)
-        return max(8.0 * state.count * speed / spacing, 1.0 / self._epoch_length)
-
     def _rebuild(self, now: float) -> None:
         """Sort the rows, then find all events anew: tuning only, it touches no reference and so no bit."""
-        event_driven.sort_rows(self._tables, self._box, self._hall, now)
+        event_driven.sort_rows(self._tables, self._box, self._hall, self._spin, now)
         counter = self._tables.counter
         counter[SORT_AT] = counter[EVENTS] + max(self.sort_after * self._tables.mass.size, 16)
-        event_driven.rebuild(self._tables, self._box, self._hall, now, self._epoch_length, self._rate)
+        event_driven.rebuild(
+            self._tables, self._box, self._hall, self._spin, now, self._epoch_length, self._rate
+        )
 
     def _next_epoch(self) -> None:
         events = int(self._tables.counter[EVENTS])
-        event_driven.shift(self._tables.flight, self._box, self._hall, self._epoch_length)
+        event_driven.shift(self._tables.flight, self._box, self._hall, self._spin, self._epoch_length)
         if self._hall is not None:
             shift_walls(self._hall, self._epoch_length)
         self._epoch += 1
@@ -216,7 +196,9 @@ class EventDriven:
         book = arguments.ledger(self.tallies, self.contacts, rows, state)
         while True:
             local = min(until - self._start, self._epoch_length)
-            status = event_driven.advance(self._tables, self._box, self._hall, book, local, self._start)
+            status = event_driven.advance(
+                self._tables, self._box, self._hall, self._spin, book, local, self._start
+            )
             if status == event_driven.SORT:
                 self._rebuild(float(self._tables.number[NOW]))
             elif status == event_driven.TURN:
@@ -237,6 +219,10 @@ class EventDriven:
         flight, link = self._tables.flight, self._tables.link
         local = until - self._start
         event_driven.project(flight, link, self._box, self._hall, local, arguments.gas(state))
+        if self._spin is not None:
+            elapsed = local - flight[:, T0]
+            show_turns(self._spin, link[:, LABEL].copy(), elapsed, state.angle, state.angular_velocity)
+        state.turn_sites()
         state.time = until
         self._show_walls(state)
         if self._hall is not None and np.any(link[:, SPECIES] < 0):
@@ -248,7 +234,7 @@ class EventDriven:
         assert self._hall is not None
         now = next_turn(self._hall)
         for wall in turn_walls(self._hall, self._geometry, now, self._start):
-            event_driven.meet_moved(self._tables, self._hall, self._box, wall, -1, now)
+            event_driven.meet_moved(self._tables, self._hall, self._spin, self._box, wall, -1, now)
 
     def _see_off(self, state: State) -> None:
         """Let go of the discs that have left: tables without them, from the same references."""
@@ -256,12 +242,15 @@ class EventDriven:
         stays = np.ones(state.count, np.bool_)
         stays[self._tables.link[self._tables.link[:, SPECIES] < 0, LABEL]] = False
         state.keep(stays)
-        self._refer(state, memory["position"][stays], memory["velocity"][stays], memory["time"][stays])
+        self._refer(state, {name: memory[name][stays] for name in _REFERENCES if name in memory})
 
     def memory(self) -> Memory:
-        """``epoch_length``, ``epoch`` and the references: ``position``, ``velocity``, ``time`` (since its start)."""
-        flight = np.empty_like(self._tables.flight)
-        flight[self._tables.link[:, LABEL]] = self._tables.flight
+        """``epoch_length``, ``epoch`` and the references: ``position``, ``velocity``, ``time`` (since its start).
+
+        Of molecules ``angle`` and ``angular_velocity``, too.
+        """
+        order = np.argsort(self._tables.link[:, LABEL])
+        flight = self._tables.flight[order]
         memory: Memory = {
             "epoch_length": self._epoch_length,
             "epoch": self._epoch,
@@ -269,6 +258,9 @@ class EventDriven:
             "velocity": flight[:, VX : VX + 2].copy(),
             "time": flight[:, T0].copy(),
         }
+        if self._spin is not None:
+            memory["angle"] = self._spin.turn[order, ANGLE]
+            memory["angular_velocity"] = self._spin.turn[order, TURNING]
         if self._bare is not None and self._geometry.moves:
             memory["walls"] = wall_rows(self._bare)
         return memory

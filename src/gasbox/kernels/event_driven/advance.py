@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from gasbox.jit import bare_kernel, inlined_kernel
-from gasbox.kernels.arguments import DONE, FULL, NO_PROGRESS, Box, Ledger, book_pair, book_wall
-from gasbox.kernels.collision import exchange
+from gasbox.kernels.arguments import DONE, FULL, NO_PROGRESS, Box, Ledger
 from gasbox.kernels.event_driven.ahead import foresee
 from gasbox.kernels.event_driven.bounce import meet
 from gasbox.kernels.event_driven.cells import cross, leave, schedule_crossing
-from gasbox.kernels.event_driven.flight import note_speed, place_at, velocity_at
+from gasbox.kernels.event_driven.collide import bounce, collide, refer
+from gasbox.kernels.event_driven.flight import note_speed
 from gasbox.kernels.event_driven.queue import earliest, remove
 from gasbox.kernels.event_driven.search import meet_moved, predict, predict_entered, release
 from gasbox.kernels.event_driven.tables import (
@@ -25,23 +23,18 @@ from gasbox.kernels.event_driven.tables import (
     NOBODY,
     NOW,
     PARTNER,
-    RADIUS,
     SORT_AT,
     SPECIES,
     STALE,
     STALES,
-    T0,
     T_CROSS,
     T_EVENT,
-    VX,
-    VY,
     WALL,
     Tables,
-    X,
-    Y,
 )
 from gasbox.kernels.hall import Hall
 from gasbox.kernels.hall.motion import next_turn
+from gasbox.kernels.molecules.spin import Spin
 
 __all__ = ["SORT", "TURN", "advance"]
 
@@ -54,23 +47,6 @@ TURN = 12
 
 
 @inlined_kernel
-def _refer(tables: Tables, box: Box, hall: Hall | None, i: int, now: float) -> None:
-    """Make `now` the reference time of particle i: its position then, inside the box where it is periodic."""
-    flight = tables.flight
-    elapsed = now - flight[i, T0]
-    x, y = place_at(flight, hall, i, elapsed)
-    if hall is not None:
-        flight[i, VX], flight[i, VY] = velocity_at(flight, hall, i, elapsed)
-    if box.periodic_x:
-        x -= math.floor(x / box.width) * box.width
-    if box.periodic_y:
-        y -= math.floor(y / box.height) * box.height
-    flight[i, X] = x
-    flight[i, Y] = y
-    flight[i, T0] = now
-
-
-@inlined_kernel
 def _free(tables: Tables, i: int) -> None:
     """Take particle i out of the queue, without an event."""
     remove(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, i)
@@ -79,117 +55,88 @@ def _free(tables: Tables, i: int) -> None:
 
 
 @inlined_kernel
-def _collide(
-    tables: Tables, box: Box, hall: Hall | None, book: Ledger, i: int, j: int, now: float, epoch: float
-) -> None:
-    """Execute the collision of i and j (label of i below that of j); if rounding finds them parting, let them pass."""
-    flight = tables.flight
-    _refer(tables, box, hall, i, now)
-    _refer(tables, box, hall, j, now)
-    dx, dy = flight[i, X] - flight[j, X], flight[i, Y] - flight[j, Y]
-    if box.periodic_x:
-        dx -= box.width * np.rint(dx / box.width)
-    if box.periodic_y:
-        dy -= box.height * np.rint(dy / box.height)
-    dvx, dvy = flight[i, VX] - flight[j, VX], flight[i, VY] - flight[j, VY]
-    if dvx * dx + dvy * dy >= 0.0:
-        return
-    change_i, change_j, impulse, virial = exchange(dx, dy, dvx, dvy, tables.mass[i], tables.mass[j])
-    flight[i, VX] -= change_i * dx
-    flight[i, VY] -= change_i * dy
-    flight[j, VX] += change_j * dx
-    flight[j, VY] += change_j * dy
-    note_speed(flight, tables.number, i)
-    note_speed(flight, tables.number, j)
-    link = tables.link
-    book_pair(
-        book,
-        link[i, SPECIES],
-        link[j, SPECIES],
-        link[i, LABEL],
-        link[j, LABEL],
-        epoch + now,
-        -impulse * dx,
-        -impulse * dy,
-        virial,
-    )
-
-
-@inlined_kernel
-def _bounce(tables: Tables, box: Box, book: Ledger, i: int, wall: int, now: float, epoch: float) -> None:
-    """Execute the collision of disc i with a wall, and put it exactly on it."""
-    flight = tables.flight
-    species, label = tables.link[i, SPECIES], tables.link[i, LABEL]
-    _refer(tables, box, None, i, now)
-    if wall < 2:
-        flight[i, X] = flight[i, RADIUS] if wall == 0 else box.width - flight[i, RADIUS]
-        flight[i, VX] = -flight[i, VX]
-        book_wall(book, species, label, wall, epoch + now, 2.0 * tables.mass[i] * flight[i, VX], 0.0)
-    else:
-        flight[i, Y] = flight[i, RADIUS] if wall == 2 else box.height - flight[i, RADIUS]
-        flight[i, VY] = -flight[i, VY]
-        book_wall(book, species, label, wall, epoch + now, 0.0, 2.0 * tables.mass[i] * flight[i, VY])
-
-
-@inlined_kernel
 def _pair_event(
-    tables: Tables, box: Box, hall: Hall | None, book: Ledger, i: int, j: int, now: float, epoch: float
+    tables: Tables,
+    box: Box,
+    hall: Hall | None,
+    spin: Spin | None,
+    book: Ledger,
+    i: int,
+    j: int,
+    now: float,
+    epoch: float,
 ) -> None:
     _free(tables, i)
     _free(tables, j)
     if tables.link[j, LABEL] < tables.link[i, LABEL]:
         i, j = j, i
-    _collide(tables, box, hall, book, i, j, now, epoch)
+    collide(tables, box, hall, spin, book, i, j, now, epoch)
     schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, hall, i, now)
     schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, hall, j, now)
-    predict(tables, box, hall, i, now)
+    predict(tables, box, hall, spin, i, now)
     # In a tiny periodic box i may have found another image of j.
     remove(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, j)
     if tables.link[j, PARTNER] >= 0:
         release(tables, tables.link[j, PARTNER])
-    predict(tables, box, hall, j, now)
+    predict(tables, box, hall, spin, j, now)
 
 
 @inlined_kernel
 def _hall_event(
-    tables: Tables, box: Box, hall: Hall, book: Ledger, i: int, code: int, now: float, epoch: float
+    tables: Tables,
+    box: Box,
+    hall: Hall,
+    spin: Spin | None,
+    book: Ledger,
+    i: int,
+    code: int,
+    now: float,
+    epoch: float,
 ) -> None:
     _free(tables, i)
-    _refer(tables, box, hall, i, now)
+    refer(tables, box, hall, spin, i, now)
     flight, link = tables.flight, tables.link
-    piston = meet(tables, box, hall, book, i, code, now, epoch)
+    piston = meet(tables, box, hall, spin, book, i, code, now, epoch)
     if link[i, SPECIES] < 0:
         leave(link, tables.head, i)
         flight[i, T_CROSS] = math.inf
         return
     note_speed(flight, tables.number, i)
     schedule_crossing(flight, link, tables.levels, tables.sides, box, hall, i, now)
-    predict(tables, box, hall, i, now)
+    predict(tables, box, hall, spin, i, now)
     if piston >= 0:
-        meet_moved(tables, hall, box, piston, i, now)
+        meet_moved(tables, hall, spin, box, piston, i, now)
 
 
 @inlined_kernel
 def _wall_event(
-    tables: Tables, box: Box, hall: Hall | None, book: Ledger, i: int, code: int, now: float, epoch: float
+    tables: Tables,
+    box: Box,
+    hall: Hall | None,
+    spin: Spin | None,
+    book: Ledger,
+    i: int,
+    code: int,
+    now: float,
+    epoch: float,
 ) -> None:
     if hall is not None:
-        _hall_event(tables, box, hall, book, i, code, now, epoch)
+        _hall_event(tables, box, hall, spin, book, i, code, now, epoch)
         return
     wall = WALL - code
     _free(tables, i)
-    _bounce(tables, box, book, i, wall, now, epoch)
+    bounce(tables, box, book, i, wall, now, epoch)
     schedule_crossing(tables.flight, tables.link, tables.levels, tables.sides, box, hall, i, now)
-    predict(tables, box, hall, i, now)
+    predict(tables, box, hall, spin, i, now)
 
 
 @inlined_kernel
-def _cross_event(tables: Tables, box: Box, hall: Hall | None, i: int, now: float) -> None:
+def _cross_event(tables: Tables, box: Box, hall: Hall | None, spin: Spin | None, i: int, now: float) -> None:
     remove(tables.flight, tables.link, tables.ring, tables.heap, tables.counter, i)
     flight, link, levels, sides = tables.flight, tables.link, tables.levels, tables.sides
     step_x, step_y = cross(flight, link, tables.head, levels, sides, box, hall, i, now)
     schedule_crossing(flight, link, levels, sides, box, hall, i, now)
-    predict_entered(tables, box, hall, i, now, step_x, step_y)
+    predict_entered(tables, box, hall, spin, i, now, step_x, step_y)
     tables.counter[CROSSINGS] += 1
 
 
@@ -202,7 +149,15 @@ def _next_turn(hall: Hall | None) -> float:
 
 
 @bare_kernel
-def advance(tables: Tables, box: Box, hall: Hall | None, book: Ledger, until: float, epoch: float) -> int:
+def advance(
+    tables: Tables,
+    box: Box,
+    hall: Hall | None,
+    spin: Spin | None,
+    book: Ledger,
+    until: float,
+    epoch: float,
+) -> int:
     """Execute all events up to and including the time `until`.
 
     Parameters
@@ -245,17 +200,17 @@ def advance(tables: Tables, box: Box, hall: Hall | None, book: Ledger, until: fl
         if counter[EVENTS] >= counter[SORT_AT]:
             return SORT
         if crossing <= event:
-            _cross_event(tables, box, hall, i, now)
+            _cross_event(tables, box, hall, spin, i, now)
         elif partner == STALE:
             counter[STALES] += 1
             _free(tables, i)
-            predict(tables, box, hall, i, now)
+            predict(tables, box, hall, spin, i, now)
         elif limited and book.rows[0] >= book.kind.shape[0]:
             return FULL
         elif partner >= 0:
-            _pair_event(tables, box, hall, book, i, partner, now, epoch)
+            _pair_event(tables, box, hall, spin, book, i, partner, now, epoch)
         else:
-            _wall_event(tables, box, hall, book, i, partner, now, epoch)
+            _wall_event(tables, box, hall, spin, book, i, partner, now, epoch)
             turn = _next_turn(hall)
         counter[EVENTS] += 1
         tables.number[NOW] = now

@@ -8,7 +8,9 @@ from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Ledger, book_crossing, book_hall
 from gasbox.kernels.event_driven.tables import LABEL, RADIUS, SPECIES, VX, VY, WALL, Tables, X, Y
 from gasbox.kernels.hall import Hall
-from gasbox.kernels.hall.approach import PASS
+from gasbox.kernels.hall.approach import BOUNCE, PASS
+from gasbox.kernels.hall.bodies import site_at
+from gasbox.kernels.hall.body_rebound import rebound_body
 from gasbox.kernels.hall.motion import speed
 from gasbox.kernels.hall.rebound import normal_at, rebound
 from gasbox.kernels.hall.tables import (
@@ -28,6 +30,18 @@ from gasbox.kernels.hall.tables import (
     TY,
 )
 from gasbox.kernels.hall.tables import WALL as OWNER
+from gasbox.kernels.molecules.impulse import lever
+from gasbox.kernels.molecules.spin import (
+    ANGLE,
+    ARM,
+    INERTIA,
+    SITE_RADIUS,
+    SITE_X,
+    SITE_Y,
+    TURNING,
+    Spin,
+    is_disc,
+)
 
 __all__ = ["meet"]
 
@@ -70,20 +84,121 @@ def _image(hall: Hall, box: Box, e: int, x: float, y: float, reach: float, now: 
 
 
 @inlined_kernel
-def _pass(tables: Tables, hall: Hall, book: Ledger, i: int, wall: int, along: bool, now: float) -> None:
+def _pass(
+    tables: Tables,
+    hall: Hall,
+    spin: Spin | None,
+    book: Ledger,
+    i: int,
+    wall: int,
+    along: bool,
+    now: float,
+) -> None:
     flight, link = tables.flight, tables.link
     vx, vy, mass = flight[i, VX], flight[i, VY], tables.mass[i]
     species, label = link[i, SPECIES], link[i, LABEL]
     carried = 0.0
     if hall.rule[wall, OPEN]:
-        carried = 0.5 * mass * (vx * vx + vy * vy)
+        carried = 0.5 * mass * (vx * vx + vy * vy) + _energy_of_turning(spin, i)
         link[i, SPECIES] = -1 - species
     book_crossing(book, species, label, wall, now, mass * vx, mass * vy, along, carried)
 
 
+@inlined_kernel
+def _energy_of_turning(spin: Spin | None, i: int) -> float:
+    if spin is None:
+        return 0.0
+    return 0.5 * spin.turn[i, INERTIA] * spin.turn[i, TURNING] * spin.turn[i, TURNING]
+
+
+@inlined_kernel
+def _is_body(spin: Spin | None, species: int) -> bool:
+    if spin is None:
+        return False
+    return not is_disc(spin, species)
+
+
+@inlined_kernel
+def _bounce_body(
+    tables: Tables,
+    box: Box,
+    hall: Hall,
+    spin: Spin | None,
+    book: Ledger,
+    i: int,
+    e: int,
+    now: float,
+    epoch: float,
+) -> int:
+    """As `meet`, for a molecule; nothing happens if it touches nothing yet."""
+    if spin is None:
+        return -1
+    return _meet_body(tables, box, hall, spin, book, i, e, now, epoch)
+
+
+@bare_kernel
+def _meet_body(
+    tables: Tables,
+    box: Box,
+    hall: Hall,
+    spin: Spin,
+    book: Ledger,
+    i: int,
+    e: int,
+    now: float,
+    epoch: float,
+) -> int:
+    flight, turn, wall = tables.flight, spin.turn, hall.kind[e, OWNER]
+    species, label, mass = tables.link[i, SPECIES], tables.link[i, LABEL], tables.mass[i]
+    x, y, vx, vy, r = flight[i, X], flight[i, Y], flight[i, VX], flight[i, VY], flight[i, RADIUS]
+    angle, omega, arm = turn[i, ANGLE], turn[i, TURNING], turn[i, ARM]
+    best = (math.inf, 0.0, 0.0, 0.0, 0)
+    wide, high = (1 if box.periodic_x else 0), (1 if box.periodic_y else 0)
+    for row in range(-high, high + 1):
+        for column in range(-wide, wide + 1):
+            aside = (column * box.width, row * box.height)
+            found = site_at(
+                hall, spin, e, (x, y, vx, vy, now, r), species, angle, omega, arm, aside[0], aside[1]
+            )
+            if found[0] < best[0]:
+                best = found
+    if best[0] == math.inf:
+        return -1
+    _, nx, ny, closing, k = best
+    cos, sin = math.cos(angle), math.sin(angle)
+    arm_x = cos * spin.site[k, SITE_X] - sin * spin.site[k, SITE_Y]
+    arm_y = sin * spin.site[k, SITE_X] + cos * spin.site[k, SITE_Y]
+    flight[i, VX], flight[i, VY], turn[i, TURNING] = rebound_body(
+        hall,
+        e,
+        nx,
+        ny,
+        (vx, vy, omega),
+        closing,
+        lever(arm_x, arm_y, nx, ny),
+        mass,
+        turn[i, INERTIA],
+        spin.site[k, SITE_RADIUS],
+        int(book.id[label]),
+        now,
+        epoch,
+    )
+    jx, jy = mass * (flight[i, VX] - vx), mass * (flight[i, VY] - vy)
+    book_hall(book, species, label, wall, epoch + now, jx, jy, hall.result)
+    return wall if hall.wall[wall, MASS] > 0.0 else -1
+
+
 @bare_kernel
 def meet(
-    tables: Tables, box: Box, hall: Hall, book: Ledger, i: int, code: int, now: float, epoch: float
+    tables: Tables,
+    box: Box,
+    hall: Hall,
+    spin: Spin | None,
+    book: Ledger,
+    i: int,
+    code: int,
+    now: float,
+    epoch: float,
 ) -> int:
     """Execute the meeting of disc i with an element; its reference is that of `now` already.
 
@@ -99,6 +214,8 @@ def meet(
     flight, link = tables.flight, tables.link
     e, what = (WALL - code) // 2, (WALL - code) % 2
     wall, r = hall.kind[e, OWNER], flight[i, RADIUS]
+    if _is_body(spin, link[i, SPECIES]) and what == BOUNCE:
+        return _bounce_body(tables, box, hall, spin, book, i, e, now, epoch)
     reach = _reach(hall, e, r, what)
     shift_x, shift_y = 0.0, 0.0
     if box.periodic_x or box.periodic_y:
@@ -109,7 +226,7 @@ def meet(
     if what == PASS:
         front = _faces_front(hall, e, nx, ny)
         rate = flight[i, VX] * nx + flight[i, VY] * ny - speed(hall, wall, now) * (1.0 if front else -1.0)
-        _pass(tables, hall, book, i, wall, (rate > 0.0) == front, epoch + now)
+        _pass(tables, hall, spin, book, i, wall, (rate > 0.0) == front, epoch + now)
         return -1
     vx, vy, mass = flight[i, VX], flight[i, VY], tables.mass[i]
     result, species = hall.result, link[i, SPECIES]

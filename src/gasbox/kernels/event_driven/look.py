@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box
+from gasbox.kernels.event_driven.bodies import meeting
 from gasbox.kernels.event_driven.cells import wrapped
 from gasbox.kernels.event_driven.crowd import sift
-from gasbox.kernels.event_driven.flight import meeting_time, place_at
-from gasbox.kernels.event_driven.pairs import HEAD_ON, TIED, apart, over_images, precedes, preferred
+from gasbox.kernels.event_driven.flight import place_at
+from gasbox.kernels.event_driven.pairs import apart, may_meet, over_images, precedes, preferred
 from gasbox.kernels.event_driven.tables import (
     COLUMN,
     COLUMNS,
@@ -39,6 +40,7 @@ from gasbox.kernels.event_driven.tables import (
 )
 from gasbox.kernels.grid import span
 from gasbox.kernels.hall import Hall
+from gasbox.kernels.molecules.spin import Spin
 
 __all__ = ["survey"]
 
@@ -51,6 +53,7 @@ def _look(
     counter: NDArray[np.int64],
     box: Box,
     hall: Hall | None,
+    spin: Spin | None,
     i: int,
     now: float,
     grid: tuple[int, int, int, int, int],
@@ -82,14 +85,16 @@ def _look(
                     b = dx * dvx + dy * dvy
                     c = dx * dx + dy * dy - sigma * sigma
                     # Even head-on they could not meet before c/(-2 b): too late?
-                    if b >= 0.0 or c > (TIED * min(best, held) - start) * HEAD_ON * b:
+                    if not may_meet(spin, b, c, start, min(best, held)):
                         j = after
                         continue
-                    time = meeting_time(dx, dy, dvx, dvy, sigma, start)
+                    latest = min(best, held)
+                    time = meeting(spin, flight, link, i, j, dx, dy, dvx, dvy, sigma, start, latest)
                 elif j == i:
                     time = math.inf
                 else:
-                    time = over_images(own, flight, hall, j, now, box, across, along, images_x, images_y)
+                    images = (images_x, images_y)
+                    time = over_images(own, flight, link, hall, spin, i, j, now, box, across, along, images)
                 if (
                     time <= best
                     and time <= held
@@ -118,6 +123,7 @@ def _look_around(
     tables: Tables,
     box: Box,
     hall: Hall | None,
+    spin: Spin | None,
     i: int,
     now: float,
     level: int,
@@ -157,7 +163,7 @@ def _look_around(
                 part = (line, line, max(row - ring + 1, below), min(row + ring - 1, above))
                 present = left <= line <= right and ring > 0
             if present:
-                best, who = _look(flight, link, head, counter, box, hall, i, now, grid, part, best, who)
+                best, who = _look(flight, link, head, counter, box, hall, spin, i, now, grid, part, best, who)
         ring += 1
     return best, who
 
@@ -179,6 +185,7 @@ def survey(
     tables: Tables,
     box: Box,
     hall: Hall | None,
+    spin: Spin | None,
     i: int,
     now: float,
     step_x: int,
@@ -223,7 +230,7 @@ def survey(
             if all_around and levels[level, CROWDED] > 0:
                 best, who = sift(tables, box, hall, i, now, level, block, best, who)
                 continue
-            best, who = _look(flight, link, head, counter, box, hall, i, now, grid, block, best, who)
+            best, who = _look(flight, link, head, counter, box, hall, spin, i, now, grid, block, best, who)
         else:
             fine_x = levels[own, FACTOR_X] // levels[level, FACTOR_X]
             fine_y = levels[own, FACTOR_Y] // levels[level, FACTOR_Y]
@@ -235,7 +242,9 @@ def survey(
             )
             seen_twice = (box.periodic_x and columns < 3) or (box.periodic_y and rows < 3)
             if step_x != 0 or step_y != 0 or seen_twice:
-                best, who = _look(flight, link, head, counter, box, hall, i, now, grid, block, best, who)
+                best, who = _look(
+                    flight, link, head, counter, box, hall, spin, i, now, grid, block, best, who
+                )
             else:
-                best, who = _look_around(tables, box, hall, i, now, level, grid, block, best, who)
+                best, who = _look_around(tables, box, hall, spin, i, now, level, grid, block, best, who)
     return best, who

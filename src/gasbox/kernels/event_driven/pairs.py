@@ -9,12 +9,13 @@ from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box
-from gasbox.kernels.event_driven.flight import meeting_time
+from gasbox.kernels.event_driven.bodies import meeting
 from gasbox.kernels.event_driven.queue import pair_before
 from gasbox.kernels.event_driven.tables import PARTNER, RADIUS, STALE, T0, T_EVENT, VX, VY, WALL, X, Y
 from gasbox.kernels.hall import Hall
+from gasbox.kernels.molecules.spin import Spin
 
-__all__ = ["HEAD_ON", "LATEST", "TIED", "apart", "over_images", "precedes", "preferred"]
+__all__ = ["HEAD_ON", "LATEST", "TIED", "apart", "may_meet", "over_images", "precedes", "preferred"]
 
 HEAD_ON = -2.0000000001
 """Discs cannot meet before c/(-2 b), even head-on; with a margin for rounding."""
@@ -113,29 +114,43 @@ def apart(
     return dx, dy, dvx, dvy, sigma, start
 
 
+@inlined_kernel
+def may_meet(spin: Spin | None, b: float, c: float, start: float, latest: float) -> bool:
+    """Whether two particles might meet by `latest`: not if even head-on they could not before c/(-2 b).
+
+    Molecules may also do so while their bounding circles overlap.
+    """
+    if spin is None:
+        return not (b >= 0.0 or c > (TIED * latest - start) * HEAD_ON * b)
+    return c <= 0.0 or not (b >= 0.0 or c > (TIED * latest - start) * HEAD_ON * b)
+
+
 @bare_kernel
 def over_images(
     own: tuple[float, float, float, float, float, float],
     flight: NDArray[np.float64],
+    link: NDArray[np.int32],
     hall: Hall | None,
+    spin: Spin | None,
+    i: int,
     j: int,
     now: float,
     box: Box,
     across: float,
     along: float,
-    images_x: int,
-    images_y: int,
+    images: tuple[int, int],
 ) -> float:
     """Earliest meeting over the images around the nearest one, in a box of few cells; arguments as for `apart`.
 
     The whole shift to an image is made in one step: made in two it would round by what is the nearest at `now`.
     """
     best = math.inf
+    images_x, images_y = images
     dx, dy, dvx, dvy, sigma, start = _unfolded(own, flight, hall, j)
     column = np.rint((dx + dvx * (now - start)) * across)
     row = np.rint((dy + dvy * (now - start)) * along)
     for image_y in range(-images_y, images_y + 1):
         for image_x in range(-images_x, images_x + 1):
             x, y = dx - (column + image_x) * box.width, dy - (row + image_y) * box.height
-            best = min(best, meeting_time(x, y, dvx, dvy, sigma, start))
+            best = min(best, meeting(spin, flight, link, i, j, x, y, dvx, dvy, sigma, start, best))
     return best

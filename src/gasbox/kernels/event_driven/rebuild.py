@@ -38,6 +38,7 @@ from gasbox.kernels.event_driven.tables import (
 )
 from gasbox.kernels.grid import cell_of
 from gasbox.kernels.hall import Hall
+from gasbox.kernels.molecules.spin import Spin, turn_to
 
 __all__ = ["project", "rebuild", "shift"]
 
@@ -60,7 +61,12 @@ def _has_left(hall: Hall | None, species: int) -> bool:
 
 @bare_kernel
 def project(
-    flight: NDArray[np.float64], link: NDArray[np.int32], box: Box, hall: Hall | None, now: float, gas: Gas
+    flight: NDArray[np.float64],
+    link: NDArray[np.int32],
+    box: Box,
+    hall: Hall | None,
+    now: float,
+    gas: Gas,
 ) -> None:
     """Write positions and velocities at time `now` (since the start of the epoch) into the public arrays."""
     position, velocity = gas.position, gas.velocity
@@ -74,10 +80,11 @@ def project(
 
 
 @bare_kernel
-def shift(flight: NDArray[np.float64], box: Box, hall: Hall | None, end: float) -> None:
+def shift(flight: NDArray[np.float64], box: Box, hall: Hall | None, spin: Spin | None, end: float) -> None:
     """Move all references to the end of the epoch, which is time zero of the next one."""
     for i in range(flight.shape[0]):
         elapsed = end - flight[i, T0]
+        turn_to(spin, i, elapsed)
         x, y = place_at(flight, hall, i, elapsed)
         flight[i, VX], flight[i, VY] = velocity_at(flight, hall, i, elapsed)
         flight[i, X] = _fold(x, box.width, box.periodic_x)
@@ -86,7 +93,15 @@ def shift(flight: NDArray[np.float64], box: Box, hall: Hall | None, end: float) 
 
 
 @bare_kernel
-def rebuild(tables: Tables, box: Box, hall: Hall | None, now: float, horizon: float, rate: float) -> None:
+def rebuild(
+    tables: Tables,
+    box: Box,
+    hall: Hall | None,
+    spin: Spin | None,
+    now: float,
+    horizon: float,
+    rate: float,
+) -> None:
     """File all particles and find all events anew, from the references alone.
 
     Parameters
@@ -123,4 +138,4 @@ def rebuild(tables: Tables, box: Box, hall: Hall | None, now: float, horizon: fl
         if _has_left(hall, link[i, SPECIES]):
             continue
         remove(flight, link, tables.ring, tables.heap, tables.counter, i)
-        predict_entered(tables, box, hall, i, now, 0, 0)
+        predict_entered(tables, box, hall, spin, i, now, 0, 0)

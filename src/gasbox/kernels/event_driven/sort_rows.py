@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from gasbox.kernels.arguments import Box
 from gasbox.kernels.event_driven.tables import LABEL, LEVEL, SPECIES, T0, VX, Tables, X
 from gasbox.kernels.hall import Hall
+from gasbox.kernels.molecules.spin import Spin
 
 __all__ = ["sort_rows"]
 
@@ -19,7 +20,7 @@ def _spread(value: NDArray[np.uint64]) -> NDArray[np.uint64]:
     return value
 
 
-def sort_rows(tables: Tables, box: Box, hall: Hall | None, now: float) -> None:
+def sort_rows(tables: Tables, box: Box, hall: Hall | None, spin: Spin | None, now: float) -> None:
     """Sort the rows along a Z-shaped curve through the box, by the places at time `now` (since the epoch's start).
 
     Links between rows become invalid: a rebuild must follow.
@@ -37,5 +38,7 @@ def sort_rows(tables: Tables, box: Box, hall: Hall | None, now: float) -> None:
     order = np.argsort(_spread(whole[:, 0]) | (_spread(whole[:, 1]) << np.uint64(1)), kind="stable")
     flight[:] = flight[order]
     tables.mass[:] = tables.mass[order]
+    if spin is not None:
+        spin.turn[:] = spin.turn[order]
     for column in (LEVEL, LABEL, SPECIES):
         tables.link[:, column] = tables.link[order, column]

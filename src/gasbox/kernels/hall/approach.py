@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.hall.curves import touch_corner, touch_rim
 from gasbox.kernels.hall.motion import displacement, push, speed
 from gasbox.kernels.hall.sides import BOUNCE, PASS, SOFT_DEPTH, passes, touch_side
@@ -30,28 +30,22 @@ from gasbox.kernels.hall.tables import (
     Hall,
 )
 
-__all__ = ["BOUNCE", "PASS", "passes", "touch"]
+__all__ = ["BOUNCE", "PASS", "passes", "seen_from", "touch"]
 
 
-@bare_kernel
-def touch(
+@inlined_kernel
+def seen_from(
     hall: Hall,
     e: int,
     flight: tuple[float, float, float, float, float, float],
-    species: int,
     shift_x: float,
     shift_y: float,
-    until: float,
-) -> tuple[float, int]:
-    """When a disc meets element e, and what happens then (BOUNCE or PASS); infinity if not until `until`.
+) -> tuple[float, float, float, float, float, float, float]:
+    """Place, velocity and acceleration of a disc relative to element e, and the time when it is there.
 
-    Parameters
-    ----------
-    flight : reference position, velocity and time, and radius of the disc
-    shift_x, shift_y : added to the place of the element, to reach its image in a periodic box [length]
-    until : [time], where a search may end
+    Parameters as for `touch`. Of a wall that swings, the swing from then on is left out.
     """
-    x, y, vx, vy, begin, r = flight
+    x, y, vx, vy, begin, _ = flight
     number = hall.kind[e, WALL]
     gx, gy = hall.gx, hall.gy
     px, py = hall.shape[e, PX], hall.shape[e, PY]
@@ -76,6 +70,29 @@ def touch(
             gy -= ny * away
     x -= px + shift_x
     y -= py + shift_y
+    return x, y, vx, vy, gx, gy, begin
+
+
+@bare_kernel
+def touch(
+    hall: Hall,
+    e: int,
+    flight: tuple[float, float, float, float, float, float],
+    species: int,
+    shift_x: float,
+    shift_y: float,
+    until: float,
+) -> tuple[float, int]:
+    """When a disc meets element e, and what happens then (BOUNCE or PASS); infinity if not until `until`.
+
+    Parameters
+    ----------
+    flight : reference position, velocity and time, and radius of the disc
+    shift_x, shift_y : added to the place of the element, to reach its image in a periodic box [length]
+    until : [time], where a search may end
+    """
+    x, y, vx, vy, gx, gy, begin = seen_from(hall, e, flight, shift_x, shift_y)
+    r, number = flight[5], hall.kind[e, WALL]
     limit = until - begin
     kind = hall.kind[e, KIND]
     if kind == SIDE:
