@@ -30,7 +30,7 @@ __all__ = ["Parts", "build"]
 _FRAMES_ACROSS = 240
 """Frames in which a disc of typical speed crosses the shorter side of the box, where no interval is given."""
 
-_WITH_MOLECULES: tuple[str, ...] = ("forced", "stepped")
+_WITH_MOLECULES: tuple[str, ...] = ("event-driven", "forced", "stepped")
 """Kinds of dynamics that know molecules."""
 
 _STEPS_A_FRAME = 10

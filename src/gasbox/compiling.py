@@ -36,6 +36,7 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None, bac
         ("event-driven dynamics, walls of any shape", lambda: _run_tiny("event-driven", enclosed=True)),
         ("stepped molecules", lambda: _run_tiny("stepped", molecules=True)),
         ("stepped molecules, walls of any shape", lambda: _run_tiny("stepped", True, True)),
+        ("event-driven molecules", lambda: _run_tiny("event-driven", True, True)),
     ]
     for done, (name, compile_part) in enumerate(reversed(parts) if backwards else parts):
         if progress is not None:
@@ -92,11 +93,11 @@ def _part_tiny_molecules() -> None:
         separate(state, geometry)
 
 
-def _tiny_molecules(obstacles: list[dict[str, Any]]) -> Scenario:
+def _tiny_molecules(obstacles: list[dict[str, Any]], kind: str = "stepped") -> Scenario:
     atoms = [{"position": [k, 0]} for k in range(3)]
     stick = {"name": "stick", "atoms": atoms, "count": 20, "temperature": 1}
     box = {"container": {"width": 40, "height": 40}, "obstacles": obstacles}
-    return parse({**box, "molecules": [stick]})
+    return parse({**box, "molecules": [stick], "dynamics": {"kind": kind}})
 
 
 def _push_tiny_molecules() -> None:

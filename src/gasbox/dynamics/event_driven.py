@@ -120,10 +120,8 @@ class EventDriven:
 
     def resync(self, state: State) -> None:
         """Take over `state` as it stands: its positions and velocities become the references."""
-        references: Memory = {"position": state.position, "velocity": state.velocity}
-        if state.sites is not None:
-            references |= {"angle": state.angle, "angular_velocity": state.angular_velocity}
-        self._refer(state, {**references, "time": state.time - self._start})
+        here = {"position": state.position, "velocity": state.velocity, "time": state.time - self._start}
+        self._refer(state, here)
 
     def _refer(self, state: State, references: Memory) -> None:
         """Make new tables from references (as `memory` has them), for a state at its own time."""
@@ -136,8 +134,8 @@ class EventDriven:
         flight[:, T0] = references["time"]
         self._spin = spin(state, self.tallies.pair_collisions.shape[0])
         if self._spin is not None:
-            self._spin.turn[:, ANGLE] = references["angle"]
-            self._spin.turn[:, TURNING] = references["angular_velocity"]
+            self._spin.turn[:, ANGLE] = references.get("angle", state.angle)
+            self._spin.turn[:, TURNING] = references.get("angular_velocity", state.angular_velocity)
             # Molecules are looked for in their bounding circles, and these overlap.
             self._tables.levels[:, CROWDED] = 0
         self._hall = None if self._bare is None else self._with_cells(self._bare)

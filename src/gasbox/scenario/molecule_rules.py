@@ -33,9 +33,26 @@ def molecule_problems(parts: Parts) -> Iterator[Problem]:
         if molecule is not None:
             yield from _molecule(f"molecules[{number}]", molecule, parts)
     yield from _turned_discs(parts)
+    yield from _gates(parts)
     total = len(parts.species) + sum(len(entry.atoms) or 5 for entry in parts.molecules if entry is not None)
     if total > LARGEST_SPECIES:
         yield Problem("molecules", f"{total} kinds of disc in all", f"at most {LARGEST_SPECIES}")
+
+
+def _gates(parts: Parts) -> Iterator[Problem]:
+    """Walls that let hard molecules pass one way or at some speeds: one that is half through may have to turn back."""
+    if isinstance(parts.dynamics, Forced):
+        return
+    large = {entry.name for entry in parts.molecules if entry is not None and len(anatomy(entry)[0]) > 1}
+    for number, obstacle in enumerate(parts.obstacles):
+        passes = None if obstacle is None else obstacle.passes
+        if passes is None or not large.intersection(passes.species or large):
+            continue
+        if passes.direction != "both" or passes.least_speed > 0.0 or passes.greatest_speed is not None:
+            allowed = (
+                "molecules pass a wall both ways and at any speed, or not at all: name in species who passes"
+            )
+            yield Problem(f"obstacles[{number}].passes", "a gate for molecules", allowed)
 
 
 def _names(parts: Parts) -> Iterator[Problem]:

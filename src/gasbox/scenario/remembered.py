@@ -92,6 +92,8 @@ def _shapes(memory: dict[str, Any], particles: int, discs: int, walls: int) -> d
     vectors, row = (particles, 2), (particles,)
     if "epoch" in memory:
         shapes |= {"epoch": (), "epoch_length": (), "position": vectors, "velocity": vectors, "time": row}
+        if "angle" in memory or "angular_velocity" in memory:
+            shapes |= {"angle": row, "angular_velocity": row}
     if "step" in memory:
         shapes["step"] = ()
     if "forced_step" in memory:
