@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from contact_twin import MoleculeTwin
 from enclosures import enclosure
 from gases import collect
 from molecular_gases import BARBELL, BENT, DISC, DUMBBELL, ROD, engine_of, scattered
-from contact_twin import MoleculeTwin
 
 from gasbox.geometry import Circle, Post, Rectangle, Segment
 
