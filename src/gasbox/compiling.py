@@ -93,11 +93,11 @@ def _part_tiny_molecules() -> None:
         separate(state, geometry)
 
 
-def _tiny_molecules(obstacles: list[dict[str, Any]], kind: str = "stepped") -> Scenario:
+def _tiny_molecules(obstacles: list[dict[str, Any]]) -> Scenario:
     atoms = [{"position": [k, 0]} for k in range(3)]
     stick = {"name": "stick", "atoms": atoms, "count": 20, "temperature": 1}
     box = {"container": {"width": 40, "height": 40}, "obstacles": obstacles}
-    return parse({**box, "molecules": [stick], "dynamics": {"kind": kind}})
+    return parse({**box, "molecules": [stick]})
 
 
 def _push_tiny_molecules() -> None:
