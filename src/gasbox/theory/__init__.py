@@ -5,7 +5,8 @@ and `virial` (numbers behind them), `fluid` (what follows from them), `kinetic` 
 `finite` (few particles), `gravity` and `sediment` (columns of points and of discs), `walls` (hits, thermal
 walls, slits), `adiabat` (work and entropy), `piston` (a gas as a spring), `ranges` (axes); of discs with forces
 `pair_laws` (energy and force of a pair), `imperfect` (virial coefficients), `lattice` (crystals at T = 0) and
-`lennard_jones` (where its phases lie).
+`lennard_jones` (where its phases lie); of molecules `rotors` (laws, heat capacity), `hard_bodies` and `site_gas`
+(second virial coefficients).
 """
 
 from gasbox.theory import (
@@ -13,6 +14,7 @@ from gasbox.theory import (
     finite,
     fluid,
     gravity,
+    hard_bodies,
     hard_disc,
     imperfect,
     kinetic,
@@ -24,7 +26,9 @@ from gasbox.theory import (
     pair_laws,
     piston,
     ranges,
+    rotors,
     sediment,
+    site_gas,
     virial,
     walls,
 )
@@ -36,6 +40,7 @@ __all__ = [
     "finite",
     "fluid",
     "gravity",
+    "hard_bodies",
     "hard_disc",
     "imperfect",
     "kinetic",
@@ -47,7 +52,9 @@ __all__ = [
     "pair_laws",
     "piston",
     "ranges",
+    "rotors",
     "sediment",
+    "site_gas",
     "virial",
     "walls",
 ]
