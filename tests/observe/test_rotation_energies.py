@@ -3,56 +3,17 @@
 import numpy as np
 import pytest
 from hand_made import gas, hall
+from molecules_by_hand import dumbbell_and_disc, sites, spring
 
 from gasbox import observe
 from gasbox.geometry import Circle, Rectangle
-from gasbox.state import Sites, Tallies
+from gasbox.state import Tallies
 
 WALLS = Rectangle(10.0, 20.0)
 TORUS = Rectangle(10.0, 20.0, periodic_x=True, periodic_y=True)
 ROUND = Circle(10.0)
 
 pytestmark = pytest.mark.small
-
-
-def sites(first, mass, place, position=None, velocity=None, flexible=None):
-    """Discs of particles; they stand at their places and rest unless told otherwise."""
-    mass, place = np.array(mass, float), np.array(place, float).reshape(-1, 2)
-    count = len(first) - 1
-    return Sites(
-        first=np.array(first, np.int64),
-        species=np.zeros(mass.size, np.int32),
-        mass=mass,
-        radius=np.ones(mass.size),
-        place=place,
-        position=place.copy() if position is None else np.array(position, float),
-        velocity=np.zeros_like(place) if velocity is None else np.array(velocity, float),
-        flexible=np.zeros(count, np.bool_) if flexible is None else np.array(flexible),
-    )
-
-
-def dumbbell_and_disc(position=None, spin=3.0):
-    """Kind 1: a dumbbell of mass 4 and moment of inertia 8; kind 0: a disc of mass 2 that cannot turn."""
-    state = gas([[1.0, 2.0], [3.0, 0.0]], mass=[4.0, 2.0], species=[1, 0], position=position)
-    state.angle, state.angular_velocity = np.array([0.0, 0.0]), np.array([spin, 5.0])
-    state.inertia = np.array([8.0, 0.0])
-    state.sites = sites([0, 2, 3], [2.0, 2.0, 2.0], [[-1, 0], [1, 0], [0, 0]])
-    state.turn_sites()
-    return state
-
-
-def spring():
-    """Two sites of mass 1 and 3 at (0, 0) and (4, 0): the centre of mass at (3, 0) moves with (1, 2).
-
-    About it, I = 1 * 9 + 3 * 1 = 12; velocities (3, -3) and (-1, 1) make L = 9 + 3 = 12, and K = 9 + 3 = 12: half of it
-    rotation, half vibration.
-    """
-    state = gas([[1.0, 2.0]], mass=[4.0], position=[[3.0, 0.0]])
-    state.angle, state.angular_velocity, state.inertia = np.zeros(1), np.ones(1), np.full(1, 99.0)
-    state.sites = sites(
-        [0, 2], [1.0, 3.0], [[-3, 0], [1, 0]], [[0, 0], [4, 0]], [[4.0, -1.0], [0.0, 3.0]], [True]
-    )
-    return state
 
 
 def test_a_dumbbell_has_three_degrees_of_freedom_and_a_disc_two():
@@ -173,3 +134,24 @@ def test_molecules_press_with_the_motion_of_their_centres():
     series.observe(state, tallies)
     flight = observe.translational_temperature(state, TORUS)
     assert series.series().virial_pressure[1] == pytest.approx(2 * flight / 200.0)
+
+
+def test_histograms_of_molecules():
+    state = dumbbell_and_disc()
+    edges = np.linspace(0.0, 60.0, 4)
+    counts = {
+        what: observe.histogram(state, None, edges, what).counts.tolist()
+        for what in ("energy", "rotational-energy", "whole-energy", "angular-velocity")
+    }
+    # Flight 10 and 9; rotation 36 of the dumbbell alone.
+    assert counts == {
+        "energy": [2.0, 0.0, 0.0],
+        "rotational-energy": [0.0, 1.0, 0.0],
+        "whole-energy": [1.0, 0.0, 1.0],
+        "angular-velocity": [1.0, 0.0, 0.0],
+    }
+    assert observe.histogram(state, 0, edges, "rotational-energy").total == 0
+    assert observe.histogram(spring(), 0, edges, "whole-energy").counts.tolist() == [0.0, 1.0, 0.0]
+    average = observe.HistogramAverage([edges, edges], "rotational-energy")
+    average.observe(state, Tallies.zero(2, 4))
+    assert [one.total for one in average.histograms()] == [0.0, 1.0]

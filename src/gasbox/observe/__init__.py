@@ -6,6 +6,7 @@ Functions say None where a quantity does not exist (no particles, no walls, no t
 from gasbox.observe.average import HistogramAverage
 from gasbox.observe.balance import Balance, EnergyBalance
 from gasbox.observe.blocks import block_error
+from gasbox.observe.capacity import capacity_at_fixed_energy, capacity_at_fixed_temperature
 from gasbox.observe.collisions import (
     CollisionRates,
     collision_rates,
@@ -45,6 +46,14 @@ from gasbox.observe.indicator import Indicator, IndicatorSeries
 from gasbox.observe.modes import ModeEnergies, Modes, ModeSeries, mode_energies
 from gasbox.observe.motion import center_of_mass, mean_speed, rms_speed
 from gasbox.observe.neighbours import Neighbours, coordination, hexatic, hexatic_order, neighbours
+from gasbox.observe.orientation import (
+    NematicOrder,
+    OrientationCorrelation,
+    OrientationPairs,
+    Turning,
+    TurningCorrelation,
+    nematic_order,
+)
 from gasbox.observe.phases import Phase, phase_shares, phases
 from gasbox.observe.pressure import (
     common_accessible_area,
@@ -110,6 +119,9 @@ __all__ = [
     "ModeSeries",
     "Modes",
     "Neighbours",
+    "NematicOrder",
+    "OrientationCorrelation",
+    "OrientationPairs",
     "PairDistribution",
     "Phase",
     "Profile",
@@ -121,6 +133,8 @@ __all__ = [
     "Sides",
     "Stretch",
     "TimeSeries",
+    "Turning",
+    "TurningCorrelation",
     "WallGauge",
     "WallSeries",
     "angular_momentum",
@@ -129,6 +143,8 @@ __all__ = [
     "bin_edges",
     "block_error",
     "branches",
+    "capacity_at_fixed_energy",
+    "capacity_at_fixed_temperature",
     "center_of_mass",
     "collision_rates",
     "common_accessible_area",
@@ -155,6 +171,7 @@ __all__ = [
     "mode_energies",
     "momentum",
     "neighbours",
+    "nematic_order",
     "passage_rates",
     "phase_shares",
     "phases",

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from gasbox.observe.histograms import Histogram, histogram
 from gasbox.state import Contacts, State, Tallies
-from gasbox.theory.ranges import Quantity
+from gasbox.theory.ranges import Measure
 
 __all__ = ["HistogramAverage"]
 
@@ -30,7 +30,7 @@ class HistogramAverage:
     reads_contacts = False
 
     def __init__(
-        self, edges: Sequence[NDArray[np.float64]], quantity: Quantity = "speed", since: float = -np.inf
+        self, edges: Sequence[NDArray[np.float64]], quantity: Measure = "speed", since: float = -np.inf
     ) -> None:
         self._edges = [np.asarray(one, dtype=np.float64) for one in edges]
         self._quantity = quantity

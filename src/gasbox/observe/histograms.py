@@ -1,4 +1,4 @@
-"""Histograms of speeds and kinetic energies, and where their axes end when nobody says."""
+"""Histograms of speeds, energies and angular velocities, and where their axes end when nobody says."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from gasbox.geometry import Geometry
 from gasbox.observe.energy import species_temperature, temperature
 from gasbox.observe.motion import speeds
+from gasbox.observe.rotation import rotational_energies, spins, vibrational_energies
 from gasbox.state import State
-from gasbox.theory.ranges import Quantity, histogram_maximum, rounded_up
+from gasbox.theory.ranges import Measure, Quantity, histogram_maximum, rounded_up
 
 __all__ = [
     "Histogram",
@@ -21,6 +22,7 @@ __all__ = [
     "energy_histogram",
     "histogram",
     "speed_histogram",
+    "values",
 ]
 
 
@@ -74,10 +76,33 @@ def energy_histogram(state: State, species: int | None, edges: NDArray[np.float6
 
 
 def histogram(
-    state: State, species: int | None, edges: NDArray[np.float64], quantity: Quantity = "speed"
+    state: State, species: int | None, edges: NDArray[np.float64], quantity: Measure = "speed"
 ) -> Histogram:
-    """Histogram of either quantity."""
-    return (speed_histogram if quantity == "speed" else energy_histogram)(state, species, edges)
+    """Histogram of any quantity."""
+    return Histogram.of(values(state, species, quantity), edges)
+
+
+def values(state: State, species: int | None, quantity: Measure) -> NDArray[np.float64]:
+    """(k,) float64: a quantity of all particles of one kind, or of the whole gas.
+
+    Speeds [length/time] and energies [energy] are those of the centres of mass, but for the energy of rotation and the
+    whole kinetic energy, which a molecule has in all its degrees of freedom; angular velocities are in [rad/time]. What
+    does not rotate has neither an angular velocity nor an energy of rotation.
+    """
+    mine = np.ones(state.count, np.bool_) if species is None else state.species == species
+    if quantity == "speed":
+        return speeds(state, species)
+    if quantity == "energy":
+        return energies(state, species)
+    if quantity == "whole-energy":
+        within = rotational_energies(state) + vibrational_energies(state)
+        whole: NDArray[np.float64] = energies(state, species) + within[mine]
+        return whole
+    inertia, turning = spins(state)
+    mine &= inertia > 0.0
+    found = turning if quantity == "angular-velocity" else 0.5 * inertia * turning**2
+    chosen: NDArray[np.float64] = found[mine]
+    return chosen
 
 
 def automatic_maximum(state: State, geometry: Geometry, species: int, quantity: Quantity = "speed") -> float:
@@ -92,6 +117,5 @@ def automatic_maximum(state: State, geometry: Geometry, species: int, quantity: 
     end = histogram_maximum(float(mine[0]), hottest, quantity) if mine.size else None
     if end is not None:
         return end
-    values = speeds(state, species) if quantity == "speed" else energies(state, species)
-    fastest = float(np.max(values, initial=0.0))
+    fastest = float(np.max(values(state, species, quantity), initial=0.0))
     return rounded_up(fastest) if fastest > 0.0 else 1.0

@@ -7,9 +7,12 @@ from typing import Final, Literal
 
 from gasbox.theory.maxwell import energy_quantile, speed_quantile
 
-__all__ = ["Quantity", "histogram_maximum", "rounded_up"]
+__all__ = ["Measure", "Quantity", "histogram_maximum", "rounded_up"]
 
 Quantity = Literal["speed", "energy"]
+"""Of the motion of centres: what every particle has."""
+Measure = Literal["speed", "energy", "angular-velocity", "rotational-energy", "whole-energy"]
+"""And what molecules have beside it; the last is all of their kinetic energy."""
 
 _STEPS: Final = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 _SHARE: Final = 0.999
