@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from gasbox.cli.matter import FIGURES_OF_MATTER, matter_panels
+from gasbox.cli.molecules import FIGURES_OF_MOLECULES, molecule_panels
 from gasbox.cli.panels import FIGURES, panels_of
 from gasbox.cli.survey import Survey, survey
 from gasbox.errors import FileError, UsageError
@@ -35,6 +36,8 @@ _OVERVIEW: Final = ("gas", "profiles", "centers", "transfers", "pv", "walls", "s
 """Order of the further panels of the overview."""
 _OF_FORCES: Final = ("phases", "rdf")
 """What the overview of a gas with forces shows beside."""
+_OF_MOLECULES: Final = ("modes", "rotation")
+"""And that of a gas with molecules."""
 
 
 def draw(path: Path, output: Path, last: int | None, name: str = "overview") -> None:
@@ -77,6 +80,8 @@ def _figure(recording: Recording, first: int, name: str) -> Figure:
     more = _more(survey(recording, first), scenario, temperature) if _is_more_than_a_box(recording) else []
     if isinstance(scenario.dynamics, Forced):
         more += [panel for each in _OF_FORCES for panel in matter_panels(each, recording, first)]
+    if scenario.molecules:
+        more += [p for each in _OF_MOLECULES for p in molecule_panels(each, recording, first, temperature)]
     quantity = scenario.histograms.quantity
     title = _title(recording, first, "means" if more else "histograms")
     return overview_figure(panels, series, quantity, ideal, discs, title, more)
@@ -85,13 +90,15 @@ def _figure(recording: Recording, first: int, name: str) -> Figure:
 def _panels_figure(recording: Recording, first: int, name: str, temperature: float | None) -> Figure:
     if name in FIGURES_OF_MATTER:
         panels = matter_panels(name, recording, first)
+    elif name in FIGURES_OF_MOLECULES:
+        panels = molecule_panels(name, recording, first, temperature)
     else:
         panels = panels_of(name, recording.scenario, survey(recording, first), temperature)
     if not panels:
         raise UsageError(f"{recording.path} has nothing to show in the figure {name!r}: {FIGURES[name]}")
     shown = (
         _title(recording, first, "means")
-        if name in ("profiles", "walls", "rdf")
+        if name in ("profiles", "walls", "rdf", "rotation", "orientation")
         else recording.scenario.title
     )
     return panels_figure(panels, shown)

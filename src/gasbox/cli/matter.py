@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from functools import partial
 from typing import Final
 
 import numpy as np
 
 from gasbox import observe
+from gasbox.cli.frames import MOST_FRAMES, MOST_FRAMES_OF_PAIRS, show, spread
 from gasbox.plots import (
     Panel,
     draw_heating_curve,
@@ -18,7 +19,6 @@ from gasbox.plots import (
     draw_rdf,
     draw_shares,
 )
-from gasbox.protocols import Observer
 from gasbox.recording import Recording
 from gasbox.scenario import Scenario
 from gasbox.state import SetBarostat
@@ -34,10 +34,6 @@ FIGURES_OF_MATTER: Final = {
 }
 """Figures of matter, and what they show."""
 
-_MOST_FRAMES: Final = 1000
-"""Of a longer recording every so many frames are read."""
-_MOST_FRAMES_OF_PAIRS: Final = 60
-"""Pairs take longer to count, and frames close together tell nothing new."""
 _NEAR: Final = 1.5
 """Neighbours reach so far, in units of sigma: between the first ring of neighbours and the second."""
 _FAR: Final = 6.0
@@ -61,19 +57,19 @@ def matter_panels(name: str, recording: Recording, first: int) -> list[Panel]:
         case "rdf" if recording.read(first).state.count > 1:
             far = min(_FAR * near / _NEAR, 0.5 * float(min(geometry.size)))
             pairs = observe.RadialDistribution(geometry, len(kinds), _BINS, far)
-            _show(recording, [pairs], _spread(first, frames, _MOST_FRAMES_OF_PAIRS))
+            show(recording, [pairs], spread(first, frames, MOST_FRAMES_OF_PAIRS))
             return [partial(draw_rdf, found=pairs.value(), species=kinds)]
         case "msd" if frames > 2:
             way = observe.MeanSquaredDisplacement(geometry)
             # All frames: between two of them no disc may go half-way round the box.
-            _show(recording, [way], range(frames))
+            show(recording, [way], range(frames))
             found = way.value()
             slope = observe.diffusion_coefficient(found)
             return [partial(draw_msd, found=found, diffusion=slope, begin=0.5 * float(found.times[-1]))]
         case "hexatic" if frames > 1:
             curve = observe.HeatingCurve(geometry, distance=near)
             order: list[float] = []
-            numbers = _spread(0, frames, _MOST_FRAMES)
+            numbers = spread(0, frames, MOST_FRAMES)
             for number in numbers:
                 frame, here = recording.read(number), recording.geometry_at(number)
                 curve.observe(frame.state, frame.tallies)
@@ -85,7 +81,7 @@ def matter_panels(name: str, recording: Recording, first: int) -> list[Panel]:
             ]
         case "heating-curve" if frames > 4:
             heating = observe.HeatingCurve(geometry, outer_pressure(recording), near)
-            _show(recording, [heating], _spread(0, frames, _MOST_FRAMES))
+            show(recording, [heating], spread(0, frames, MOST_FRAMES))
             course = heating.value()
             least = _LEAST_HEAT * float(np.nanmax(course.temperature, initial=0.0))
             return [partial(draw_heating_curve, curve=course)] if np.ptp(course.heat) > least else []
@@ -122,25 +118,3 @@ def outer_pressure(recording: Recording) -> Callable[[float], float]:
         times = [*(times[k] for k in kept), time, time + change.over]
         pressures = [*(pressures[k] for k in kept), here, change.pressure]
     return lambda time: float(np.interp(time, times, pressures))
-
-
-def _spread(first: int, frames: int, most: int) -> list[int]:
-    """Numbers of at most so many frames from `first` on, evenly spread, with the last."""
-    places = np.linspace(first, frames - 1, min(frames - first, most))
-    return [int(number) for number in np.unique(places.round())]
-
-
-def _show(recording: Recording, observers: list[Observer], numbers: Iterable[int]) -> None:
-    """Show frames to all observers, and tell them when the geometry changes."""
-    changing = bool(recording.changes or recording.scenario.schedule)
-    geometry = recording.geometry_at(0)
-    for place, number in enumerate(numbers):
-        frame = recording.read(number)
-        here = recording.geometry_at(number) if changing else geometry
-        for observer in observers:
-            if place == 0:
-                observer.start(frame.state, frame.tallies)
-            if here != geometry and isinstance(observer, observe.FollowsChanges):
-                observer.changed(frame.state, here)
-            observer.observe(frame.state, frame.tallies)
-        geometry = here

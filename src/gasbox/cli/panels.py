@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gasbox import observe
 from gasbox.cli.matter import FIGURES_OF_MATTER
+from gasbox.cli.molecules import FIGURES_OF_MOLECULES
 from gasbox.cli.sticks import bonds_between
 from gasbox.cli.survey import Survey
 from gasbox.geometry import Enclosure, Geometry, Rectangle
@@ -43,6 +44,7 @@ FIGURES: Final = {
     "centers": "centres of mass",
     "flow": "who passed openings, membranes and lines",
     **FIGURES_OF_MATTER,
+    **FIGURES_OF_MOLECULES,
 }
 """Figures of panels, and what they show."""
 

@@ -30,6 +30,9 @@ class Picture(StrEnum):
     HEXATIC = "hexatic"
     HEATING_CURVE = "heating-curve"
     PHASES = "phases"
+    MODES = "modes"
+    ROTATION = "rotation"
+    ORIENTATION = "orientation"
 
 
 def plot(
@@ -55,7 +58,9 @@ def plot(
             "each wall (walls), pressure and area behind a moving wall (pv), both sides of a divider (sides), "
             "centres of mass (centers), who passed openings and membranes (flow), g(r) (rdf), "
             "mean squared displacement (msd), hexatic order and phases over time (hexatic), temperature against heat "
-            "added (heating-curve), the last frame with discs coloured by phase (phases).",
+            "added (heating-curve), the last frame with discs coloured by phase (phases); of molecules, energy of each "
+            "degree of freedom (modes), angular velocities and whole energies (rotation), how they are turned to "
+            "each other and how long they remember (orientation).",
         ),
     ] = Picture.OVERVIEW,
 ) -> None:

@@ -5,6 +5,7 @@ from gasbox.plots.gas import draw_gas
 from gasbox.plots.heating import draw_heating_curve
 from gasbox.plots.histograms import HistogramPanel, draw_histograms, histogram_figure, theory_curve
 from gasbox.plots.matter import draw_hexatic, draw_msd, draw_phases, draw_rdf, draw_shares
+from gasbox.plots.molecules import draw_law, draw_modes, draw_order, draw_orientation, draw_turning
 from gasbox.plots.overview import overview_figure
 from gasbox.plots.panels import Panel, draw_panels, panels_figure
 from gasbox.plots.phase_diagram import phase_diagram_figure
@@ -24,8 +25,12 @@ __all__ = [
     "draw_hexatic",
     "draw_histograms",
     "draw_indicator",
+    "draw_law",
     "draw_mixing",
+    "draw_modes",
     "draw_msd",
+    "draw_order",
+    "draw_orientation",
     "draw_panels",
     "draw_passed",
     "draw_phases",
@@ -35,6 +40,7 @@ __all__ = [
     "draw_sides",
     "draw_temperature_profile",
     "draw_transfers",
+    "draw_turning",
     "draw_wall_pressures",
     "histogram_figure",
     "overview_figure",
