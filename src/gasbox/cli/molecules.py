@@ -99,14 +99,20 @@ def _laws(
                 color=kind.color,
                 title=kind.name,
                 axis=axis,
-                law="Gauss",
+                law="normal law",
             )
         ]
     axis = "kinetic energy in all", "energy"
     return [
         *panels,
         partial(
-            draw_law, shown=energy, expected=gamma, color=kind.color, title=kind.name, axis=axis, law="Gamma"
+            draw_law,
+            shown=energy,
+            expected=gamma,
+            color=kind.color,
+            title=kind.name,
+            axis=axis,
+            law="Gamma law",
         ),
     ]
 

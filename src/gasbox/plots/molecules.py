@@ -17,6 +17,11 @@ __all__ = ["MODE_COLORS", "draw_law", "draw_modes", "draw_order", "draw_orientat
 MODE_COLORS: Final = {"x": "#0b6bcb", "y": "#1f9e89", "rotation": "#c2410c", "vibration": "#8b5cf6"}
 _NAMES: Final = {"x": "flight along x", "y": "flight along y"}
 _FIRST, _SECOND = "#0b6bcb", "#c2410c"
+_FEWEST: Final = 100
+"""Pairs in a bin, counted from both sides, below which chance alone would be drawn."""
+_FORGOTTEN: Final = 0.05
+_BEYOND: Final = 3
+"""How far memory is drawn, in units of the time after which it is forgotten."""
 
 
 def draw_modes(axes: Axes, modes: ModeSeries, temperature: float | None = None) -> None:
@@ -73,8 +78,12 @@ def draw_law(
 
 def draw_orientation(axes: Axes, found: OrientationPairs, title: str = "orientation of pairs") -> None:
     """How alike two molecules are turned, over the distance of their centres."""
-    axes.plot(found.r, found.first, color=_FIRST, linewidth=1.4, label="cos of the angle between")
-    axes.plot(found.r, found.second, color=_SECOND, linewidth=1.4, label="cos of twice the angle")
+    many = found.pairs >= _FEWEST
+    for values, color, name in (
+        (found.first, _FIRST, "cos of the angle between"),
+        (found.second, _SECOND, "cos of twice the angle"),
+    ):
+        axes.plot(found.r, np.where(many, values, np.nan), color=color, linewidth=1.4, label=name)
     axes.axhline(0.0, color=QUIET, linewidth=0.8, linestyle=":")
     axes.set_title(title)
     axes.set_xlabel(label("distance r", "position"))
@@ -98,6 +107,7 @@ def draw_turning(
     """
     names = ("cos of the turn", "cos of twice the turn")
     measured = zip((found.first, found.second), (_FIRST, _SECOND), names, strict=True)
+    gone = np.flatnonzero(found.first < _FORGOTTEN)
     for number, (values, color, name) in enumerate(measured):
         axes.plot(found.times, values, color=color, linewidth=1.4, label=name)
         if number < len(free):
@@ -113,7 +123,7 @@ def draw_turning(
     axes.set_title(title)
     axes.set_xlabel(label("time between", "time"))
     axes.set_ylabel("mean over molecules")
-    axes.set_xlim(left=0.0)
+    axes.set_xlim(0.0, _BEYOND * float(found.times[gone[0]]) if gone.size else None)
     axes.set_ylim(top=1.05)
     dress(axes)
     legend(axes)
