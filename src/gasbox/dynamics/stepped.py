@@ -27,6 +27,9 @@ _ROOM = 1.25
 class Stepped:
     """Move all discs by velocity * time_step, then execute the collisions of touching, approaching pairs, then walls.
 
+    Molecules turn, and their discs collide until no pair of them approaches; see the page on the model. The numbers of
+    `warnings` belong to this run, as those of a summary do.
+
     Time exists in whole steps only: `advance` goes to the last step at or before the time asked for.
 
     Parameters
