@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from free_flight import FakeClock, FreeFlight
 
-from gasbox.scenario.sites import sites_of
 from gasbox.scenario import Scenario, parse
+from gasbox.scenario.sites import sites_of
 from gasbox.state import State, Tallies
 
 DUMBBELL = {

@@ -1,7 +1,9 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from gasbox.app.bins import BinChoice, curve, edges_of, expected
+from gasbox.app.bins import BinChoice, Law, curve, edges_of, expected
 from gasbox.app.chart_options import bar_rows, changes, curve_rows, initial, value_axis
 from gasbox.scenario import load
 
@@ -21,11 +23,11 @@ def test_automatic_range_is_that_of_the_fastest_or_each_its_own() -> None:
     assert [one[-1] for one in edges_of(BinChoice(own=True), [3.0, 2.0, 1.0])] == [3.0, 2.0, 1.0]
 
 
-@pytest.mark.parametrize("quantity", ["speed", "energy"])
+@pytest.mark.parametrize("quantity", ["speed", "energy", "angular-velocity", "rotational-energy"])
 def test_the_curve_meets_each_bins_expectation_in_its_middle(quantity: str) -> None:
-    edges = np.linspace(0.0, 3.0, 31)
-    values, counts = curve(edges, quantity, 500, 2.0, 0.4, points=601)  # type: ignore[arg-type]
-    law = expected(edges, quantity, 500, 2.0, 0.4)  # type: ignore[arg-type]
+    edges = np.linspace(-3.0 if quantity == "angular-velocity" else 0.0, 3.0, 31)
+    values, counts = curve(edges, quantity, 500, Law(0.4, 2.0), points=601)  # type: ignore[arg-type]
+    law = expected(edges, quantity, 500, Law(0.4, 2.0))  # type: ignore[arg-type]
     middles = (edges[1:] + edges[:-1]) / 2
     assert np.interp(middles, values, counts) == pytest.approx(law, rel=1e-6)
     assert law.sum() == pytest.approx(500, rel=1e-3 if quantity == "speed" else 1e-2)
@@ -38,7 +40,15 @@ def test_a_bar_knows_its_bin_and_what_theory_expects() -> None:
     assert curve_rows(np.array([0.123456789]), np.array([1.23456])) == [[0.12346, 1.23]]
 
 
+def test_angular_velocities_go_both_ways() -> None:
+    choice = BinChoice("angular-velocity", 20)
+    assert [(one[0], one[10], one[-1]) for one in edges_of(choice, [3.0, 0.0])] == [(-3.0, 0.0, 3.0)] * 2
+    assert edges_of(replace(choice, minimum=-1.0, maximum=4.0), [3.0])[0][0] == -1.0
+    assert value_axis(-5.0, 5.0, "angular-velocity")["interval"] == 2.5
+
+
 def test_axes_are_named_with_their_units() -> None:
+    assert initial("light", "#123456", "angular-velocity")["xAxis"]["name"] == "angular velocity  (rad/time)"
     options = initial("light", "#123456", "speed")
     assert options["xAxis"]["name"] == "speed  (length/time)"
     assert options["yAxis"]["name"] == "number of particles"

@@ -1,6 +1,7 @@
 import dataclasses
 
 import pytest
+from free_rotors import DUMBBELL, rotors
 
 from gasbox.app.draft import Draft
 from gasbox.errors import ScenarioError
@@ -150,3 +151,31 @@ def test_another_shape_takes_the_size_of_the_box_and_leaves_the_walls_of_the_old
     assert (changed.container.shape, changed.container.radius) == ("circle", 15.0)
     assert changed.walls == {}
     assert changed.gravity == (0.0, -0.5)
+
+
+def test_molecules_can_be_edited_and_everything_else_about_them_is_kept() -> None:
+    scenario = rotors(
+        {
+            "model": "water",
+            "name": "steam",
+            "scale": 1.5,
+            "rotational_temperature": 3,
+            "region": {"x": [0, 30]},
+        },
+        {**DUMBBELL, "temperature": None, "speed": 2, "inertia": 9},
+    )
+    draft = Draft.of(scenario)
+    assert parse(draft.to_dict()).hash() == scenario.hash()
+    assert (draft.kinds, draft.species) == (2, [])
+    steam, other = draft.molecules
+    assert (steam.count, steam.warmth, steam.turning) == ("20", "1", "3")
+    assert (other.start, other.warmth, other.turning) == ("speed", "2", "")
+    steam.count, steam.turning, other.name = "12", "", "pair"
+    other.start, other.warmth = "temperature", "0.5"
+    changed = parse(draft.to_dict())
+    assert (changed.molecules[0].count, changed.molecules[0].rotational_temperature) == (12, None)
+    assert (changed.molecules[0].scale, changed.molecules[0].region) == (1.5, scenario.molecules[0].region)
+    assert (changed.molecules[1].name, changed.molecules[1].inertia) == ("pair", 9)
+    assert (changed.molecules[1].temperature, changed.molecules[1].speed) == (0.5, None)
+    draft.add_species()
+    assert parse(draft.to_dict()).species[0].count == 100

@@ -11,16 +11,32 @@ from numpy.typing import NDArray
 
 from gasbox.units import UNIT
 
-__all__ = ["FONT", "INK_TEXT", "bar_rows", "changes", "curve_rows", "initial", "plain_axis", "value_axis"]
+__all__ = [
+    "FONT",
+    "INK_TEXT",
+    "bar_rows",
+    "changes",
+    "curve_rows",
+    "initial",
+    "plain_axis",
+    "value_axis",
+    "words",
+]
 
 INK_TEXT = {"color": "var(--muted)", "fontSize": 11}
 FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'
 _WHOLE = '(value) => value.toLocaleString("en").replaceAll(",", "\\u2009")'
+_UNITS = {
+    "speed": UNIT["speed"],
+    "energy": UNIT["energy"],
+    "angular-velocity": UNIT["angular_velocity"],
+    "rotational-energy": UNIT["energy"],
+}
 _ROUND = ((1.0, 2.0, 5.0), (2.5, 3.0, 4.0), (1.5, 6.0, 8.0))
 """Leading digits of the distance of marks, the easiest to read first."""
 _TOOLTIP = """(shown) => {
   const [, count, low, high, expected] = shown[0].value;
-  const short = (x) => String(+x.toPrecision(3));
+  const short = (x) => String(+x.toPrecision(3)).replace("-", "\u2212");
   const row = (name, value) => `<tr><td>${name}</td><td>${value}</td></tr>`;
   return `<table class="tip"><caption>QUANTITY ${short(low)} – ${short(high)}</caption>`
     + row("particles", Number.isInteger(count) ? count : count.toFixed(1))
@@ -91,7 +107,7 @@ def initial(name: str, color: str, quantity: str) -> dict[str, Any]:
                 "animation": False,
                 "lineStyle": {"color": "var(--muted)"},
             },
-            ":formatter": _TOOLTIP.replace("QUANTITY", quantity),
+            ":formatter": _TOOLTIP.replace("QUANTITY", words(quantity)),
         },
         "series": [_bars(color), _curve()],
     }
@@ -99,7 +115,7 @@ def initial(name: str, color: str, quantity: str) -> dict[str, Any]:
 
 def value_axis(low: float, high: float, quantity: str) -> dict[str, Any]:
     """What changes about the horizontal axis: its ends, its name, and round marks."""
-    step, fits = _marks(high - low)
+    step, fits = _marks(high - low, even=low == -high)
     return {
         "min": low,
         "max": high,
@@ -109,9 +125,9 @@ def value_axis(low: float, high: float, quantity: str) -> dict[str, Any]:
     }
 
 
-def _marks(length: float) -> tuple[float, bool]:
-    """A round distance of marks, four to eight of them, and whether they divide the axis."""
-    for digits, parts in itertools.product(_ROUND, (6, 5, 4, 8, 7)):
+def _marks(length: float, *, even: bool) -> tuple[float, bool]:
+    """A round distance of marks, four to eight of them, and whether they divide the axis; `even`: one in the middle."""
+    for digits, parts in itertools.product(_ROUND, (6, 4, 8) if even else (6, 5, 4, 8, 7)):
         step = float(f"{length / parts:.9g}")
         if float(f"{step:e}".partition("e")[0]) in digits:
             return step, True
@@ -120,14 +136,17 @@ def _marks(length: float) -> tuple[float, bool]:
 
 
 def _description(name: str, quantity: str) -> str:
-    return (
-        f"Histogram of the {quantity} of {name}: number of particles in each bin, with the curve of theory."
-    )
+    return f"Histogram of the {words(quantity)} of {name}: number of particles in each bin, with the curve of theory."
 
 
 def axis_name(quantity: str) -> str:
     """The name of the horizontal axis, with its unit."""
-    return f"{quantity}  ({UNIT[quantity]})"
+    return f"{words(quantity)}  ({_UNITS[quantity]})"
+
+
+def words(quantity: str) -> str:
+    """What a quantity is called."""
+    return quantity.replace("-", " ")
 
 
 def plain_axis(name: str, gap: int) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -16,6 +17,12 @@ from gasbox.app.studies import Studies, StudyMenu
 __all__ = ["ChartSettings"]
 
 _MOST_BINS = 200
+_OF_DISCS = {"speed": "speed", "energy": "energy"}
+_OF_MOLECULES = {
+    **_OF_DISCS,
+    "angular-velocity": "angular velocity",
+    "rotational-energy": "rotational energy",
+}
 
 
 class ChartSettings:
@@ -26,6 +33,7 @@ class ChartSettings:
     charts : returns the histograms (they are made after this row)
     changed : called after each change
     studies : returns the other charts, likewise
+    molecules : whether the gas has any, and thus histograms of rotation
     """
 
     def __init__(
@@ -34,6 +42,8 @@ class ChartSettings:
         charts: Callable[[], Charts],
         changed: Callable[[], None],
         studies: Callable[[], Studies],
+        *,
+        molecules: bool = False,
     ) -> None:
         self._charts = charts
         self._changed = changed
@@ -43,7 +53,9 @@ class ChartSettings:
             self.theory = (
                 ui.switch("Theory", value=True, on_change=self._theory).props("dense").mark("theory")
             )
-            self.theory.tooltip("the Maxwell distribution at the temperature of the whole gas  T")
+            self.theory.tooltip(
+                "What theory expects at the temperature of the whole gas, or with molecules at that of each kind  T"
+            )
             self.menu = StudyMenu(studies, changed)
             ui.element("div").classes("push")
             ui.label("average over").classes("word")
@@ -57,13 +69,11 @@ class ChartSettings:
                 with ui.menu().props("persistent=false") as menu, ui.element("div").classes("bins-form"):
                     self._form()
                 menu.props('aria-label="Bins and range"')
-        self.show(choice)
+        self.show(choice, molecules=molecules)
 
     def _form(self) -> None:
-        self._quantity = ui.toggle(
-            {"speed": "speed", "energy": "energy"}, value="speed", on_change=self._cut
-        ).props("dense no-caps unelevated")
-        self._quantity.mark("quantity")
+        self._quantity = ui.toggle(_OF_DISCS, value="speed", on_change=self._cut)
+        self._quantity.props("dense no-caps unelevated").classes("quantities").mark("quantity")
         self._bins = ui.number("bins", min=1, max=_MOST_BINS, precision=0, on_change=self._cut).mark("bins")
         self._range = ui.select(
             {"all": "automatic, the same for all", "own": "automatic, for each its own", "given": "given"},
@@ -71,16 +81,17 @@ class ChartSettings:
             on_change=self._cut,
         ).mark("range")
         with ui.element("div").classes("fields two") as ends:
-            self._minimum = ui.number("from", min=0, on_change=self._cut).mark("minimum")
+            self._minimum = ui.number("from", on_change=self._cut).mark("minimum")
             self._maximum = ui.number("to", min=0, on_change=self._cut).mark("maximum")
         ends.bind_visibility_from(self._range, "value", lambda value: value == "given")
         for box in (self._bins, self._range, self._minimum, self._maximum):
             box.props("dense outlined options-dense hide-bottom-space")
 
-    def show(self, choice: BinChoice) -> None:
-        """Show the bins of another scenario."""
+    def show(self, choice: BinChoice, *, molecules: bool = False) -> None:
+        """Show the bins of another scenario; with `molecules`, what only these have can be chosen."""
         self._choice = choice
         self._showing = True
+        self._quantity.set_options(_OF_MOLECULES if molecules else _OF_DISCS)
         self._quantity.set_value(choice.quantity)
         self._bins.set_value(choice.count)
         self._minimum.set_value(choice.minimum)
@@ -111,6 +122,7 @@ class ChartSettings:
         choice = replace(self._choice, quantity=self._quantity.value, count=int(bins))
         if self._range.value != "given":
             return replace(choice, minimum=0.0, maximum=None, own=self._range.value == "own")
-        if minimum is None or maximum is None or not 0 <= minimum < maximum:
+        least = -math.inf if choice.quantity == "angular-velocity" else 0.0
+        if minimum is None or maximum is None or not least <= minimum < maximum:
             return None
         return replace(choice, minimum=float(minimum), maximum=float(maximum), own=False)

@@ -7,18 +7,20 @@ from typing import Any
 
 from nicegui import ui
 
-from gasbox.app.bins import BinChoice, automatic_ends, edges_of
+from gasbox.app.bins import BinChoice, Law, automatic_ends, edges_of, law_of
 from gasbox.app.histogram import Histogram
 from gasbox.app.sample import Sample
 from gasbox.observe import Histogram as Counts
 from gasbox.observe import histogram
 from gasbox.scenario import Kind
 
-__all__ = ["MOST_CHARTS", "Charts"]
+__all__ = ["MOST_CHARTS", "Charts", "Counted"]
 
 MOST_CHARTS = 6
 """Histograms that have room on the page."""
 
+Counted = tuple[Counts, Law | None]
+"""What was counted of one kind, and the law that it should follow."""
 Lit = Callable[[int, float, float], None]
 
 
@@ -53,7 +55,7 @@ class Charts:
 
     def build(self, kinds: Sequence[Kind], choice: BinChoice) -> None:
         """Make the charts of these kinds of particle, in place of the old ones."""
-        self.choice = choice
+        self.choice, self._kinds = choice, kinds
         self._root.clear()
         with self._root:
             shown = enumerate(kinds[:MOST_CHARTS])
@@ -63,6 +65,9 @@ class Charts:
 
     def choose(self, choice: BinChoice) -> None:
         """Cut the bins anew."""
+        if choice.quantity != self.choice.quantity:
+            self.build(self._kinds, choice)
+            return
         self.choice = choice
         self.forget()
 
@@ -85,7 +90,7 @@ class Charts:
         for chart in self.histograms:
             chart.forget()
 
-    def count(self, sample: Sample, temperature: float | None) -> list[Counts]:
+    def count(self, sample: Sample, temperature: float | None) -> list[Counted]:
         """Count all particles; nothing if nothing has changed. Touches no element, so any thread may call it."""
         ready = sum(chart.ready for chart in self.histograms)
         state = (sample.version, sample.frame, ready)
@@ -94,12 +99,15 @@ class Charts:
         self._shown = state
         every = edges_of(self.choice, self._ends(sample, temperature or 0.0))
         quantity = self.choice.quantity
-        return [histogram(sample.state, index, edges, quantity) for index, edges in enumerate(every)]
+        return [
+            (histogram(sample.state, index, edges, quantity), law_of(sample, quantity, index, temperature))
+            for index, edges in enumerate(every)
+        ]
 
-    def show(self, counts: list[Counts], temperature: float | None) -> None:
+    def show(self, counts: list[Counted]) -> None:
         """Bring the charts up to date with what `count` has found."""
-        for chart, counted in zip(self.histograms, counts, strict=False):
-            chart.show(counted, self.choice, self.theory, temperature)
+        for chart, (counted, law) in zip(self.histograms, counts, strict=False):
+            chart.show(counted, self.choice, self.theory, law)
 
     def _ends(self, sample: Sample, temperature: float) -> list[float]:
         """The automatic ends of the axes; they stay while the temperature changes little."""

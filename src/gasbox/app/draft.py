@@ -2,95 +2,17 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
-from gasbox.scenario import Forced, Scenario, Species, Stepped
+from gasbox.app.draft_kinds import MoleculeDraft, SpeciesDraft, text_of, value_of
+from gasbox.scenario import Forced, Scenario, Stepped
 
-__all__ = ["ContainerDraft", "Draft", "SpeciesDraft"]
+__all__ = ["ContainerDraft", "Draft"]
 
-_HIDDEN = ("region", "velocities", "lattice", "epsilon", "sigma", "charge")
-"""What the panel does not show of a species."""
 _OF_FORCES = ("forces", "thermostat", "barostat", "heating")
 """Sections that only dynamics `forced` knows."""
 _COLORS = ("#4c9be8", "#f2a33a", "#5cb85c", "#c86dd7", "#e0605e", "#3fb8af", "#9a8c5a", "#7d8bd8")
-
-
-def _text(value: float) -> str:
-    return f"{value:g}" if float(f"{value:g}") == value else repr(value)
-
-
-def _value(text: str | None) -> Any:
-    """What was typed as JSON where it is a number, else as it stands, so that the check can say what it found."""
-    stripped = (text or "").strip().replace("\u2212", "-")
-    if not stripped:
-        return None
-    try:
-        value = json.loads(stripped)
-    except ValueError:
-        return stripped
-    return value if isinstance(value, int | float) and not isinstance(value, bool) else stripped
-
-
-@dataclass
-class SpeciesDraft:
-    """One species as typed.
-
-    Attributes
-    ----------
-    start : how velocities are drawn: ``temperature``, ``speed``, or ``velocities`` (as listed in the file)
-    kept : what the panel does not show (region, listed velocities, forces), as in the file
-    """
-
-    name: str
-    mass: str
-    radius: str
-    color: str
-    count: str
-    start: str = "temperature"
-    warmth: str = ""
-    kept: dict[str, Any] = field(default_factory=dict)
-
-    @classmethod
-    def of(cls, species: Species, given: dict[str, Any]) -> SpeciesDraft:
-        """As the scenario has it; `given` is the same species as in the file."""
-        start = (
-            "velocities"
-            if species.velocities is not None
-            else "speed"
-            if species.speed is not None
-            else "temperature"
-        )
-        warmth = species.speed if start == "speed" else species.temperature
-        return cls(
-            species.name,
-            _text(species.mass),
-            _text(species.radius),
-            str(species.color),
-            str(species.count),
-            start,
-            "" if warmth is None else _text(warmth),
-            {key: given[key] for key in _HIDDEN if given.get(key) is not None},
-        )
-
-    def to_dict(self) -> dict[str, Any]:
-        """As it goes into a scenario."""
-        shown: dict[str, Any] = {
-            "name": self.name.strip(),
-            "mass": _value(self.mass),
-            "radius": _value(self.radius),
-            "color": self.color,
-            "count": _value(self.count),
-        }
-        if self.start != "velocities":
-            shown[self.start] = _value(self.warmth)
-        kept = {
-            key: value
-            for key, value in self.kept.items()
-            if key != "velocities" or self.start == "velocities"
-        }
-        return {**{key: value for key, value in shown.items() if value is not None}, **kept}
 
 
 @dataclass
@@ -130,14 +52,14 @@ class ContainerDraft:
             "radius": min(box.width, box.height) / 2,
             "sides": 6,
         }
-        said = {key: _text(given.get(key, value)) for key, value in size.items()}
+        said = {key: text_of(given.get(key, value)) for key, value in size.items()}
         axes = given.get("periodic", ())
         kept = {key: value for key, value in given.items() if key not in (*size, "shape", "periodic")}
         return cls(given["shape"], periodic_x="x" in axes, periodic_y="y" in axes, kept=kept, **said)
 
     def to_dict(self) -> dict[str, Any]:
         """As it goes into a scenario."""
-        said = {key: _value(getattr(self, key)) for key in self.SHOWN[self.shape]}
+        said = {key: value_of(getattr(self, key)) for key in self.SHOWN[self.shape]}
         if self.shape == "rectangle":
             periodic = [axis for axis, on in (("x", self.periodic_x), ("y", self.periodic_y)) if on]
             return {"shape": self.shape, **said, **({"periodic": periodic} if periodic else {})}
@@ -161,6 +83,12 @@ class Draft:
     rest: dict[str, Any]
     shape: str = "rectangle"
     """Of the container in the box now."""
+    molecules: list[MoleculeDraft] = field(default_factory=list)
+
+    @property
+    def kinds(self) -> int:
+        """How many kinds of particle there are."""
+        return len(self.species) + len(self.molecules)
 
     @property
     def step(self) -> str:
@@ -178,27 +106,34 @@ class Draft:
     def of(cls, scenario: Scenario) -> Draft:
         """As the scenario has it. Of a snapshot, the start that it came from; its particles are left out."""
         given = scenario.to_dict()
-        shown = ("species", "seed", "container", "gravity", "dynamics", "snapshot")
+        shown = ("species", "molecules", "seed", "container", "gravity", "dynamics", "snapshot")
         rest = {key: value for key, value in given.items() if key not in shown}
         if scenario.snapshot is not None:
             rest.pop("particles", None)
         dynamics = scenario.dynamics
         return cls(
-            [SpeciesDraft.of(one, of) for one, of in zip(scenario.species, given["species"], strict=True)],
+            [
+                SpeciesDraft.of(one, of)
+                for one, of in zip(scenario.species, given.get("species", []), strict=True)
+            ],
             str(scenario.seed),
             ContainerDraft.of(scenario),
-            _text(scenario.gravity[0]),
-            _text(scenario.gravity[1]),
+            text_of(scenario.gravity[0]),
+            text_of(scenario.gravity[1]),
             dynamics.kind,
-            _text(dynamics.time_step if isinstance(dynamics, Stepped) else Stepped().time_step),
-            _text(dynamics.time_step if isinstance(dynamics, Forced) else Forced().time_step),
+            text_of(dynamics.time_step if isinstance(dynamics, Stepped) else Stepped().time_step),
+            text_of(dynamics.time_step if isinstance(dynamics, Forced) else Forced().time_step),
             rest,
             scenario.container.shape,
+            [
+                MoleculeDraft.of(one, of)
+                for one, of in zip(scenario.molecules, given.get("molecules", []), strict=True)
+            ],
         )
 
     def add_species(self) -> None:
         """One more species, like the last one, with a name and a colour of its own."""
-        taken = {one.name for one in self.species}
+        taken = {one.name for one in self.species} | {one.name for one in self.molecules}
         name = next(f"gas {i}" for i in range(len(taken) + 1, 2 * len(taken) + 3) if f"gas {i}" not in taken)
         color = next((c for c in _COLORS if c not in {one.color for one in self.species}), _COLORS[0])
         last = (
@@ -215,8 +150,8 @@ class Draft:
         """The scenario as typed, still unchecked. Walls go with their shape, and what acts under forces with these."""
         dynamics: dict[str, Any] = {"kind": self.kind}
         if self.kind != "event-driven":
-            dynamics["time_step"] = _value(self.step)
-        gravity = [_value(part) or 0.0 for part in (self.gravity_x, self.gravity_y)]
+            dynamics["time_step"] = value_of(self.step)
+        gravity = [value_of(part) or 0.0 for part in (self.gravity_x, self.gravity_y)]
         rest = {**self.rest, **({"gravity": gravity} if gravity != [0.0, 0.0] else {})}
         if self.container.shape != self.shape:
             rest.pop("walls", None)
@@ -225,8 +160,9 @@ class Draft:
                 rest.pop(key, None)
         return {
             **rest,
-            "seed": _value(self.seed),
+            "seed": value_of(self.seed),
             "container": self.container.to_dict(),
             "species": [one.to_dict() for one in self.species],
+            **({"molecules": [one.to_dict() for one in self.molecules]} if self.molecules else {}),
             "dynamics": dynamics,
         }

@@ -11,7 +11,7 @@ from nicegui import ui
 from nicegui.events import GenericEventArguments
 from numpy.typing import NDArray
 
-from gasbox.app.bins import BinChoice, curve, expected
+from gasbox.app.bins import ROTATION, BinChoice, Law, curve, expected
 from gasbox.app.ceiling import Ceiling, interval
 from gasbox.app.chart_options import bar_rows, changes, curve_rows, initial, value_axis
 from gasbox.app.smoothing import Smoothing
@@ -78,17 +78,17 @@ class Histogram:
         self._smoothing.forget()
         self._ceiling.forget()
 
-    def show(self, seen: Counts, choice: BinChoice, theory: bool, temperature: float | None) -> None:
-        """Bring the chart up to date with what was counted."""
+    def show(self, seen: Counts, choice: BinChoice, theory: bool, law: Law | None) -> None:
+        """Bring the chart up to date with what was counted, and with the law that it should follow."""
         now = time.monotonic()
         self.edges = seen.edges
         row = self._smoothing.mean(now, np.array([seen.underflow, *seen.counts, seen.overflow]))
         total = round(seen.total)
-        wanted = self._wanted(now, row[1:-1], total, choice, theory, temperature)
+        wanted = self._wanted(now, row[1:-1], total, choice, theory, law)
         option = changes(self.chart.options, wanted)
         if option and self.ready:
             self.chart.run_chart_method("setOption", option)
-        self._write_facts(total, round(float(row[0])), round(float(row[-1])))
+        self._write_facts(total, round(float(row[0])), round(float(row[-1])), choice)
 
     def _wanted(
         self,
@@ -97,25 +97,26 @@ class Histogram:
         total: int,
         choice: BinChoice,
         theory: bool,
-        temperature: float | None,
+        law: Law | None,
     ) -> dict[str, Any]:
-        law, line = None, None
-        if temperature and total:
-            law = expected(self.edges, choice.quantity, total, self.kind.mass, temperature)
-            line = curve(self.edges, choice.quantity, total, self.kind.mass, temperature) if theory else None
+        wanted, line = None, None
+        if law is not None and total:
+            wanted = expected(self.edges, choice.quantity, total, law)
+            line = curve(self.edges, choice.quantity, total, law) if theory else None
         highest = max(float(counts.max(initial=0.0)), 0.0 if line is None else float(line[1].max()))
         top = self._ceiling.cover(now, highest)
         return {
             "xAxis": value_axis(float(self.edges[0]), float(self.edges[-1]), choice.quantity),
             "yAxis": {"max": top, "interval": interval(top)},
             "series": [
-                {"data": bar_rows(self.edges, counts, law)},
+                {"data": bar_rows(self.edges, counts, wanted)},
                 {"data": [] if line is None else curve_rows(*line)},
             ],
         }
 
-    def _write_facts(self, total: int, below: int, beyond: int) -> None:
-        parts = [f"N = {whole(total)}"]
+    def _write_facts(self, total: int, below: int, beyond: int, choice: BinChoice) -> None:
+        still = choice.quantity in ROTATION and self.kind.inertia == 0.0
+        parts = ["does not turn" if still else f"N = {whole(total)}"]
         if below:
             parts.append(f"{whole(below)} below the range")
         if beyond:

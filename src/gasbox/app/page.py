@@ -12,7 +12,7 @@ from nicegui.events import GenericEventArguments
 from gasbox.app.aims import has_forces
 from gasbox.app.bins import BinChoice
 from gasbox.app.chart_settings import ChartSettings
-from gasbox.app.charts import Charts
+from gasbox.app.charts import Charts, Counted
 from gasbox.app.dialogs import keys_dialog
 from gasbox.app.figures import Figures, figures
 from gasbox.app.files import Files
@@ -29,7 +29,6 @@ from gasbox.app.studies import Studies
 from gasbox.app.surroundings import Surroundings
 from gasbox.app.transport import Transport
 from gasbox.app.window import SlidingWindow
-from gasbox.observe import Histogram
 
 __all__ = ["BEAT", "Page", "build"]
 
@@ -101,7 +100,11 @@ class Page:
                 self.readouts = Readouts(scenario)
             with ui.element("div").classes("charts"):
                 self.chart_settings = ChartSettings(
-                    choice, lambda: self.charts, self._redraw, lambda: self.studies
+                    choice,
+                    lambda: self.charts,
+                    self._redraw,
+                    lambda: self.studies,
+                    molecules=bool(scenario.molecules),
                 )
                 with ui.element("div").classes("histograms"):
                     self.charts = Charts(scenario.kinds, choice, self._light, self.session.clear_highlight)
@@ -160,11 +163,11 @@ class Page:
             numbers, counts = measured
             self.readouts.show(numbers, sample)
             self.matter.show(sample, numbers)
-            self.charts.show(counts, numbers.temperature)
+            self.charts.show(counts)
             if self._show_charts and self._beats % 2:
                 self.studies.show()
 
-    def _measure(self, sample: Sample) -> tuple[Figures, list[Histogram]]:
+    def _measure(self, sample: Sample) -> tuple[Figures, list[Counted]]:
         lately = self._window.take(
             time.monotonic(), sample.version, sample.time, sample.tallies, sample.state.wall_displacement
         )
@@ -186,7 +189,7 @@ class Page:
             return
         self._scenario = sample.scenario
         choice = BinChoice.of(sample.scenario)
-        self.chart_settings.show(choice)
+        self.chart_settings.show(choice, molecules=bool(sample.scenario.molecules))
         self.charts.build(sample.scenario.kinds, choice)
         self.header.show(sample.scenario)
         self.panel.show(sample.scenario)

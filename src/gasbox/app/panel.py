@@ -10,7 +10,8 @@ from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
 from gasbox.app.charts import MOST_CHARTS
-from gasbox.app.draft import Draft, SpeciesDraft
+from gasbox.app.draft import Draft
+from gasbox.app.draft_kinds import MoleculeDraft, SpeciesDraft
 from gasbox.errors import Problem
 from gasbox.scenario import Scenario
 
@@ -27,7 +28,7 @@ _STARTS = {"temperature": "temperature", "speed": "one speed"}
 
 
 class Panel:
-    """A drawer with fields for the species, the container, gravity, the seed and the dynamics.
+    """A drawer with fields for the species and molecules, the container, gravity, the seed and the dynamics.
 
     Parameters
     ----------
@@ -109,8 +110,10 @@ class Panel:
         with self._body:
             for index, species in enumerate(draft.species):
                 self._species_form(index, species, draft)
+            for index, molecule in enumerate(draft.molecules):
+                self._molecule_form(index, molecule, draft)
             add = ui.button("Add a species", icon="add", on_click=lambda: self._add(draft), color=None)
-            add.props("flat dense").mark("add-species").set_enabled(len(draft.species) < MOST_CHARTS)
+            add.props("flat dense").mark("add-species").set_enabled(draft.kinds < MOST_CHARTS)
             self._container_form(draft)
             self._dynamics_form(draft)
 
@@ -129,20 +132,49 @@ class Panel:
     def _species_form(self, index: int, species: SpeciesDraft, draft: Draft) -> None:
         path, name = f"species[{index}]", f"Species {index + 1}"
         with ui.element("div").classes("species-form").props(f'role="group" aria-label="{name}"'):
-            with ui.element("div").classes("line"):
-                color = ui.input(value=species.color, on_change=_into(species, "color")).mark(f"{path}.color")
-                color.props(f'type=color dense borderless aria-label="Colour of {name}"').classes("swatch")
-                self._field(f"{path}.name", "name", species, "name").props(remove="inputmode").classes("grow")
-                remove = ui.button(
-                    icon="delete_outline", on_click=lambda: self._remove(draft, index), color=None
-                )
-                remove.props(f'flat round dense aria-label="Remove {name}"').mark(f"{path}.remove")
-                remove.set_enabled(len(draft.species) > 1)
+            self._heading(path, name, species, draft, draft.species)
             with ui.element("div").classes("fields"):
                 for quantity in ("count", "mass", "radius"):
                     self._field(f"{path}.{quantity}", quantity, species, quantity)
             with ui.element("div").classes("fields two"):
                 self._start_form(path, species)
+
+    def _molecule_form(self, index: int, molecule: MoleculeDraft, draft: Draft) -> None:
+        path, name = f"molecules[{index}]", f"Molecule {index + 1}"
+        with ui.element("div").classes("species-form").props(f'role="group" aria-label="{name}"'):
+            self._heading(path, name, molecule, draft, draft.molecules)
+            ui.label(self._made_of(molecule)).classes("hint")
+            with ui.element("div").classes("fields"):
+                self._field(f"{path}.count", "count", molecule, "count")
+                self._choice(f"{path}.start", "start with", _STARTS, molecule, "start")
+                value = self._field(f"{path}.warmth", "value", molecule, "warmth")
+                self._fields[f"{path}.temperature"] = self._fields[f"{path}.speed"] = value
+            turning = self._field(
+                f"{path}.rotational_temperature", "temperature of its rotation", molecule, "turning"
+            )
+            turning.props('placeholder="that of its flight" stack-label')
+
+    @staticmethod
+    def _made_of(molecule: MoleculeDraft) -> str:
+        model, atoms = molecule.kept.get("model"), molecule.kept.get("atoms", ())
+        return f"Model {model}" if model else f"{len(atoms)} atoms, as in the file"
+
+    def _heading(
+        self, path: str, name: str, one: SpeciesDraft | MoleculeDraft, draft: Draft, among: list[Any]
+    ) -> None:
+        """Colour, name, and a button that removes it from those that it is among."""
+
+        def remove() -> None:
+            among[:] = [other for other in among if other is not one]
+            self._build(draft)
+
+        with ui.element("div").classes("line"):
+            color = ui.input(value=one.color, on_change=_into(one, "color")).mark(f"{path}.color")
+            color.props(f'type=color dense borderless aria-label="Colour of {name}"').classes("swatch")
+            self._field(f"{path}.name", "name", one, "name").props(remove="inputmode").classes("grow")
+            button = ui.button(icon="delete_outline", on_click=remove, color=None)
+            button.props(f'flat round dense aria-label="Remove {name}"').mark(f"{path}.remove")
+            button.set_enabled(draft.kinds > 1)
 
     def _start_form(self, path: str, species: SpeciesDraft) -> None:
         choices = {**_STARTS, "velocities": "as listed"} if "velocities" in species.kept else _STARTS
@@ -202,10 +234,6 @@ class Panel:
 
     def _add(self, draft: Draft) -> None:
         draft.add_species()
-        self._build(draft)
-
-    def _remove(self, draft: Draft, index: int) -> None:
-        del draft.species[index]
         self._build(draft)
 
 

@@ -14,6 +14,7 @@ from gasbox.app.molecule_numbers import energies_of
 from gasbox.app.sample import Bin, Followed
 from gasbox.geometry import Enclosure
 from gasbox.observe import temperature
+from gasbox.observe.histograms import values
 from gasbox.state import Sites
 
 if TYPE_CHECKING:
@@ -103,9 +104,11 @@ def find(simulation: Simulation, particle_id: int | None) -> tuple[Followed | No
 
 
 def lit(simulation: Simulation, light: Bin) -> NDArray[np.bool_]:
-    """(n,) bool: which discs lie in the bin."""
+    """(n,) bool: which particles lie in the bin."""
     state = simulation.state
-    value = np.einsum("ij,ij->i", state.velocity, state.velocity)
-    value = 0.5 * state.mass * value if light.quantity == "energy" else np.sqrt(value)
-    inside: NDArray[np.bool_] = (state.species == light.species) & (light.low <= value) & (value < light.high)
-    return inside
+    mine: NDArray[np.bool_] = state.species == light.species
+    value = values(state, light.species, light.quantity)
+    if value.size == np.count_nonzero(mine):  # else they do not turn, and have nothing of it
+        mine[mine] = (light.low <= value) & (value < light.high)
+        return mine
+    return np.zeros(state.count, np.bool_)

@@ -99,9 +99,11 @@ class _HardDiscs(_Always):
     def show(self, figures: Figures, sample: Sample) -> None:
         """Write all numbers."""
         super().show(figures, sample)
+        # Of molecules there is no theory of their own size.
+        discs = "" if sample.scenario.molecules else f" · discs {number(figures.pressure_discs)}"
         self._pressure.show(
             number(figures.pressure),
-            f"ideal {number(figures.pressure_ideal)} · discs {number(figures.pressure_discs)}",
+            f"ideal {number(figures.pressure_ideal)}{discs}",
         )
         self._energy.show(number(figures.energy, 4))
         self._rate.show(number(figures.collision_rate))
@@ -114,16 +116,18 @@ class _Matter(_Always):
         super().__init__(real=True)
 
     def _fill(self) -> None:
-        self._kinetic = _Readout("kinetic", f"mean kinetic energy of a disc ({UNIT['energy']})", beside=True)
+        self._kinetic = _Readout(
+            "kinetic", f"mean kinetic energy of a particle ({UNIT['energy']})", beside=True
+        )
         self._potential = _Readout(
             "potential",
-            f"potential energy of all forces, for each disc ({UNIT['energy']})",
+            f"potential energy of all forces, for each particle ({UNIT['energy']})",
             beside=True,
         )
         self._pressure = _Readout(
             "pressure", f"measured over ten seconds ({UNIT['pressure']}), and of an ideal gas", beside=True
         )
-        self._density = _Readout("density", f"discs per area (1/{UNIT['area']})", beside=True)
+        self._density = _Readout("density", f"particles per area (1/{UNIT['area']})", beside=True)
 
     def show(self, figures: Figures, sample: Sample) -> None:
         """Write all numbers."""

@@ -12,8 +12,8 @@ from gasbox.state import Change, State, Tallies
 
 __all__ = ["Bin", "Followed", "Quantity", "Sample"]
 
-Quantity = Literal["speed", "energy"]
-"""What a histogram's axis shows."""
+Quantity = Literal["speed", "energy", "angular-velocity", "rotational-energy"]
+"""What a histogram's axis shows; speed and energy are those of the flight of a molecule."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class Sample:
 
 @dataclass(frozen=True)
 class Bin:
-    """The discs of one species with ``low <= quantity < high``: the ones that light up."""
+    """The particles of one kind with ``low <= quantity < high``: the ones that light up."""
 
     species: int
     low: float

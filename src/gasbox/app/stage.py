@@ -54,9 +54,20 @@ class Caption:
             return
         species = scenario.kinds[followed.species]
         self._dot.style(f"background:{species.color}")
-        text = f"{species.name} no. {followed.id} · speed {number(followed.speed)}"
+        text = f"{species.name} no. {followed.id} · speed {number(followed.speed)}{_turning(followed)}"
         if self._text.text != text:
             self._text.set_text(text)
+
+
+def _turning(followed: Followed) -> str:
+    """What a molecule has beside its speed."""
+    had = followed.energies
+    if had is None or had.rotational is None:
+        return ""
+    parts = [f"flight {number(had.translational)}", f"rotation {number(had.rotational)}"]
+    if had.vibrational is not None:
+        parts.append(f"vibration {number(had.vibrational)}")
+    return f" · angular velocity {number(had.angular_velocity)} · energy of {', '.join(parts)}"
 
 
 class Stage:
