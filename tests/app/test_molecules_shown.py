@@ -136,8 +136,8 @@ def test_bars_level_out_around_the_line() -> None:
     shown = study.picture()
     assert shown is not None
     assert shown.x.labels == ("x", "y", "rotation", "vibration", "bonds")
-    assert [trace.name for trace in shown.traces] == ["argon", "molecule 0", "molecule 1", "T/2"]
-    level = shown.traces[-1].points[:, 1]
+    assert [trace.name for trace in shown.traces] == ["T/2", "argon", "molecule 0", "molecule 1"]
+    level = shown.traces[0].points[:, 1]
     assert np.all(level == level[0])
     assert shown.y.high is not None
     assert shown.y.high > max(np.nanmax(trace.points[:, 1]) for trace in shown.traces)

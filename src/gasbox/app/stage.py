@@ -67,7 +67,7 @@ def _turning(followed: Followed) -> str:
     parts = [f"flight {number(had.translational)}", f"rotation {number(had.rotational)}"]
     if had.vibrational is not None:
         parts.append(f"vibration {number(had.vibrational)}")
-    return f" · angular velocity {number(had.angular_velocity)} · energy of {', '.join(parts)}"
+    return f", angular velocity {number(had.angular_velocity)} · energy of {', '.join(parts)}"
 
 
 class Stage:

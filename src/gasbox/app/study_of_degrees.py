@@ -146,7 +146,7 @@ class Degrees:
             for index, kind in enumerate(kinds)
             if np.any(np.isfinite(energies[index, :, 0]))
         ]
-        traces.append(Trace("T/2", np.column_stack([places, np.full(shown, level)]), "level", None, INK))
+        traces.insert(0, Trace("T/2", np.column_stack([places, np.full(shown, level)]), "level", None, INK))
         highest = max(float(np.nanmax(energies[:, :, 0], initial=0.0)), level)
         return Picture(
             Axis("", labels=_LABELS[:shown]),
