@@ -12,7 +12,7 @@ from gasbox.errors import Problem
 __all__ = ["keys_dialog", "show_message", "show_problems"]
 
 _POINTING = (
-    "In the box: point at a particle to read its energies, click it to follow it, turn the wheel to zoom, drag to move. "
+    "In the box: point at a particle to read its energies, click to follow it, turn the wheel to zoom, drag to move. "
     "In a histogram: point at a bar to light up its particles."
 )
 
