@@ -16,27 +16,46 @@ SECOND = hard_bodies.second_virial([RADIUS, RADIUS], PLACE)
 """B_2 [length²]."""
 
 
-def dumbbells(count, crowding, *, flight=1.0, rotation=1.0, dynamics="event-driven", seed=1, **more):
-    """A periodic square in which B_2 N/A is `crowding`, with temperatures of flight and of rotation at the start."""
-    side = math.sqrt(SECOND * count / crowding)
-    atoms = [{"position": place, "radius": RADIUS, "mass": 0.5} for place in PLACE]
+def dumbbells(count, crowding, **start):
+    """As `molecules`, of dumbbells."""
+    return molecules([RADIUS, RADIUS], PLACE, SECOND, count, crowding, **start)
+
+
+def molecules(radius, place, second, count, crowding, *, flight=1.0, rotation=1.0, seed=1):
+    """A periodic square in which B_2 N/A is `crowding`, with temperatures of flight and of rotation at the start.
+
+    All discs together have the mass 1.
+    """
+    side = math.sqrt(second * count / crowding)
+    discs = zip(place, radius, strict=True)
+    atoms = [{"position": list(p), "radius": r, "mass": 1 / len(radius)} for p, r in discs]
+    kind = {"name": "molecules", "atoms": atoms, "count": count}
     scenario = {
         "seed": seed,
         "container": {"shape": "rectangle", "width": side, "height": side, "periodic": ["x", "y"]},
-        "molecules": [
-            {
-                "name": "dumbbells",
-                "atoms": atoms,
-                "count": count,
-                "temperature": flight,
-                "rotational_temperature": rotation,
-            }
-        ],
-        "dynamics": {"kind": dynamics} | ({"time_step": 0.02} if dynamics == "stepped" else {}),
+        "molecules": [{**kind, "temperature": flight, "rotational_temperature": rotation}],
+        "dynamics": {"kind": "event-driven"},
         "frame_interval": 1.0,
-        **more,
     }
     return Simulation(parse(scenario))
+
+
+def collided(simulation, collisions):
+    """(Z - 1)/(B_2 n) over so many collisions, and its standard error; `crowding` is that of the start.
+
+    The finite number in a periodic box is corrected for: each meets N - 1 others. Of the error, half comes from the
+    temperature of flight, which wanders.
+    """
+    before, begin = simulation.dynamics.tallies.copy(), simulation.time
+    count = simulation.state.count
+    while (met := int((simulation.dynamics.tallies - before).pair_collisions.sum())) < collisions:
+        simulation.advance(until=simulation.time + (100.0 if met < 100 else (simulation.time - begin)))
+    change, duration = simulation.dynamics.tallies - before, simulation.time - begin
+    excess = float(change.pair_virial[0]) / (2 * duration) / ((count - 1) * simulation.temperature())
+    kind = simulation.scenario.kinds[0]
+    radii = [simulation.scenario.site_kinds[site].radius for site in kind.sites]
+    crowding = hard_bodies.second_virial(radii, kind.place, 180) * count / simulation.geometry.area
+    return excess / crowding, 1.4 * excess / crowding / math.sqrt(met)
 
 
 def between_collisions(simulation, duration=20.0):

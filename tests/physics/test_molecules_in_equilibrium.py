@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from rotor_gases import INERTIA, SECOND, between_collisions, dumbbells, looks, modes
+from rotor_gases import INERTIA, between_collisions, collided, dumbbells, looks, modes
 from runs import critical, distance
 
 from gasbox import observe
@@ -68,32 +68,24 @@ def test_speeds_and_spins_obey_their_laws(settled):
 
 def test_heat_capacity_by_fluctuations():
     # Fluctuations do not know of the number of molecules, only of the number of looks: a few molecules, often.
-    count, number = 12, 1500
+    count, number = 12, 800
     simulation = dumbbells(count, 0.3, seed=5)
     apart = 4.0 * between_collisions(simulation, 100.0)
     flight = [np.sum(modes(one)[:2]) for one in looks(simulation, number, apart)]
     found = observe.capacity_at_fixed_energy(flight, 2 * count - 2)
-    # Of a sphere in 3N - 2 dimensions: Beta's law of f/2 = N - 1 of flight and N/2 of rotation.
+    # A sphere in 3N - 2 dimensions: the share of flight is a Beta variable of N - 1 and N/2.
     a, b = count - 1.0, 0.5 * count
-    rest = b / (a + b + 1)
-    error = math.sqrt(2 / number) * (1 - rest) / rest
-    assert found == pytest.approx(a / (1 - rest) * 1.0, rel=4 * error * rest)
-    assert a / (1 - rest) / (1.5 * count - 1) == pytest.approx(1.0, rel=1.5 / count)
+    expected = a / (1 - b / (a + b + 1))
+    assert expected == pytest.approx(1.5 * count - 1, rel=1 / count)
+    # C ~ 1/variance, which is known to sqrt(2/looks).
+    assert found == pytest.approx(expected, rel=4 * math.sqrt(2 / number))
     # Discs alone would have 1 each.
-    assert found / count > 1.2
+    assert found / count > 1.15
 
 
 def test_pressure_of_a_dilute_gas():
-    # P A/(N T) = 1 + B_2 n + B_3 n²; the third, of which the value is not known, is 0.78 B_2² for discs and less for
-    # longer bodies.
+    # P A/(N T) = 1 + B_2 n + B_3 n²; the third, of which the value is not known, is 0.78 B_2² for discs.
     simulation = dumbbells(COUNT, 0.08, seed=7)
     simulation.advance(until=100.0)
-    before, begin = simulation.dynamics.tallies.copy(), simulation.time
-    simulation.advance(until=begin + 2500.0)
-    change, duration = simulation.dynamics.tallies - before, simulation.time - begin
-    density = COUNT / simulation.geometry.area
-    collided = change.pair_virial[0] / (2 * duration) / (COUNT * simulation.temperature())
-    crowding = SECOND * density
-    assert crowding == pytest.approx(0.08)
-    error = collided / math.sqrt(change.pair_collisions.sum())
-    assert abs(collided - crowding - 0.65 * crowding**2) < 0.15 * crowding**2 + 4 * error
+    found, error = collided(simulation, 40_000)
+    assert abs(found - 1 - 0.7 * 0.08) < 0.2 * 0.08 + 4 * error
