@@ -110,7 +110,8 @@ def layout(picture: Picture, description: str) -> dict[str, Any]:
     if bars:
         shape["xAxis"] |= {"type": "category", "axisTick": {"show": False}}
     if bars and picture.gliding:  # these few have room, in small letters
-        shape["xAxis"]["axisLabel"] = {**INK_TEXT, "fontSize": 10, "interval": 0}
+        size = 9 if len(picture.x.labels) > 3 else 11
+        shape["xAxis"]["axisLabel"] = {**INK_TEXT, "fontSize": size, "interval": 0}
     shape["yAxis"]["nameTextStyle"] = {**INK_TEXT, "lineHeight": 13}
     said = filled(picture)
     shape["xAxis"] |= said["xAxis"]
