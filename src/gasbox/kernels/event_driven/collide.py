@@ -9,8 +9,8 @@ import numpy as np
 from gasbox.jit import inlined_kernel
 from gasbox.kernels.arguments import Box, Ledger, book_pair, book_wall
 from gasbox.kernels.collision import exchange
-from gasbox.kernels.event_driven.bodies import knock
 from gasbox.kernels.event_driven.flight import note_speed, place_at, velocity_at
+from gasbox.kernels.event_driven.knock import knock
 from gasbox.kernels.event_driven.tables import (
     LABEL,
     RADIUS,

@@ -39,13 +39,13 @@ from gasbox.kernels.hall.tables import (
 )
 from gasbox.kernels.molecules.spin import GRAZING, SITE_ARM, SITE_RADIUS, SITE_X, SITE_Y, Spin
 
-__all__ = ["CLOSE", "MARCHES", "SLACK", "site_at", "touch_body"]
+__all__ = ["site_at", "touch_body"]
 
-MARCHES = 200
+_MARCHES = 200
 """Most steps of a march. Whoever has met nothing by then looks again: an event at which nothing happens."""
-SLACK = 2.0**-50
+_SLACK = 2.0**-50
 """Of the lengths involved: so near is touching."""
-CLOSE = 1e-10
+_CLOSE = 1e-10
 """Of the reach of a molecule: so near is a disc that an event says is touching, by all rounding."""
 _NEAR = 0.01
 """Of the reach: within so much of the wall the bounding circle gives way to the discs in it."""
@@ -177,12 +177,12 @@ def touch_body(
     x, y, vx, vy, gx, gy, begin = seen_from(hall, e, flight, shift_x, shift_y)
     angle += omega * (begin - flight[4])
     r, limit, pull = flight[5], until - begin, _pull(hall, e, gx, gy)
-    slack = SLACK * (r + abs(x) + abs(y))
+    slack = _SLACK * (r + abs(x) + abs(y))
     least = GRAZING * (abs(vx) + abs(vy) + abs(omega) * arm)
     # By energy the square of a speed grows by no more than this while the molecule is inside a rim.
     drift = math.sqrt(vx * vx + vy * vy + 4.0 * hall.shape[e, RHO] * pull)
     t = 0.0
-    for _ in range(MARCHES):
+    for _ in range(_MARCHES):
         px, py = x + vx * t + 0.5 * gx * t * t, y + vy * t + 0.5 * gy * t * t
         way, rate = _swing(hall, e, begin, t)
         px, py = px - hall.shape[e, NX] * way, py - hall.shape[e, NY] * way
@@ -233,6 +233,6 @@ def site_at(
         f, nx, ny = _gap(hall, e, x + arm_x, y + arm_y, r)
         slope = (vx - omega * arm_y) * nx + (vy + omega * arm_x) * ny
         sunk = soft and f < -SOFT_DEPTH * r
-        if f <= CLOSE * flight[5] and f < best[0] and slope < -least and not sunk:
+        if f <= _CLOSE * flight[5] and f < best[0] and slope < -least and not sunk:
             best = (f, nx, ny, slope, k)
     return best
