@@ -55,17 +55,24 @@ def test_molecules_are_turned_discs_with_sticks(open_box: Any, renderer: str) ->
         {"species": "molecule 0", "position": [59.5, 10], "angle": 0.0},
         {"species": "molecule 1", "position": [40, 20], "angle": math.pi},
         {"species": "argon", "position": [40, 30]},
+        {"species": "molecule 2", "position": [50, 33], "angle": math.pi / 2},
     ]
     argon = {"name": "argon", "radius": 1.0, "color": "#0000ff"}
     dumbbell = {**DUMBBELL, "count": 0}
+    blue, green = (
+        {"position": place, "color": color} for place, color in (([-2, 1], "#0000ff"), ([2, -1], "#00a000"))
+    )
+    oblique = {"atoms": [blue, green], "count": 0}
     forced = {"kind": "forced"}
-    scenario = rotors(dumbbell, SPRING, species=(argon,), particles=listed, dynamics=forced)
-    box = open_box(renderer, scenario, 4)
+    scenario = rotors(dumbbell, SPRING, oblique, species=(argon,), particles=listed, dynamics=forced)
+    box = open_box(renderer, scenario, 5)
     # Upright: blue below, green above, each pale around a core; between them a stick.
     assert [box.color_at(20, y) for y in (17.6, 22.4)] == [BLUE, GREEN]
     assert pale(BLUE, box.color_at(21.2, 18))
     assert box.color_at(20, 20) not in (BLUE, GREEN, LIGHT_BOX)
     assert box.color_at(22, 20) == LIGHT_BOX
+    # (x, y) comes to (-y, x) by a quarter turn.
+    assert [box.color_at(x, y) for x, y in ((49, 30.8), (51, 35.2))] == [BLUE, GREEN]
     # The other atom of the second one is seen at the far side of the periodic box.
     assert box.color_at(57.1, 10) == BLUE
     assert box.color_at(1.9, 10) == GREEN
