@@ -1,14 +1,14 @@
-"""What a wall of an enclosure gives to a molecule that strikes it with one of its sites: impulse, work and heat."""
+"""A molecule strikes a wall of an enclosure with one of its sites: the impulse, and its books."""
 
 from __future__ import annotations
 
 import math
 
-from gasbox.jit import bare_kernel, inlined_kernel
+from gasbox.jit import bare_kernel
 from gasbox.kernels.arguments import Gas, Ledger, book_hall
+from gasbox.kernels.hall.body_rebound import rebound_body
 from gasbox.kernels.hall.motion import speed
-from gasbox.kernels.hall.rebound import thermal_speeds
-from gasbox.kernels.hall.tables import MASS, NX, NY, PUSH, S_PUSH, S_SPEED, TEMPERATURE, WALL, Hall
+from gasbox.kernels.hall.tables import MASS, NX, NY, S_SPEED, WALL
 from gasbox.kernels.stepped.bodies import Bodies
 from gasbox.kernels.stepped.strike import lever_of, push_body, yielding_of
 from gasbox.kernels.stepped.tables import Walls
@@ -17,55 +17,34 @@ __all__ = ["bounce_body"]
 
 
 @bare_kernel
-def _recoil(
-    hall: Hall,
-    e: int,
+def _pay(
+    row: int,
+    arm: float,
     nx: float,
     ny: float,
     closing: float,
-    yielding: float,
     lift: float,
-    label: int,
-    time: float,
-    epoch: float,
-) -> float:
-    """Impulse along n that the wall of element e gives; work, heat and rest are left in `hall.result`.
-
-    The contact is a mass 1/yielding on a line: this is what an impulse along n meets. A thermal wall draws its speed
-    anew, as that of a disc of this mass; the rest of the motion of a smooth body knows nothing of the wall.
-
-    Parameters
-    ----------
-    nx, ny : unit normal towards the body
-    closing : speed along n of the contact relative to the wall, below zero [length/time]
-    yielding : change of the normal speed of the contact for each unit of impulse [1/mass]
-    lift : energy that moving the body out of the wall has set free (below zero: has cost) [energy]
-    label, time, epoch : as for `gasbox.kernels.hall.rebound.rebound`
-    """
+    e: int,
+    bodies: Bodies,
+    walls: Walls,
+) -> tuple[float, float, float]:
+    """Let a contact pay for what moving its body has cost: the closing speed left, impulse, and what is lacking."""
+    hall = walls.hall
     number = hall.kind[e, WALL]
-    along = hall.shape[e, NX] * nx + hall.shape[e, NY] * ny
-    u = speed(hall, number, time) * along
     heavy = hall.wall[number, MASS]
-    both = yielding + 1.0 / heavy if heavy > 0.0 else yielding
-    square = closing * closing + 2.0 * both * lift
-    rest = max(-0.5 * square / both, 0.0)
-    square = max(square, 0.0)
-    away, heat = math.sqrt(square), 0.0
-    if hall.wall[number, TEMPERATURE] >= 0.0 and heavy == 0.0:
-        away = thermal_speeds(hall, number, 1.0 / both, label, time, epoch)[0]
-        heat = 0.5 * (away * away - square) / both
-    impulse = (away - closing) / both
-    gained = impulse * (closing + u) + 0.5 * impulse * impulse * yielding - lift
-    moves = u != 0.0 or heavy > 0.0
+    soft = yielding_of(bodies, row, arm)
+    along = hall.shape[e, NX] * nx + hall.shape[e, NY] * ny
+    if heavy > 0.0:
+        soft += along * along / heavy
+    square = closing * closing + 2.0 * soft * lift
+    impulse = (-math.sqrt(max(square, 0.0)) - closing) / soft
+    push_body(bodies, row, arm, nx, ny, impulse)
     if heavy > 0.0:
         hall.wall[number, S_SPEED] -= impulse / heavy * along
-        hall.wall[number, S_PUSH] = hall.wall[number, PUSH]
-    hall.result[2], hall.result[3] = impulse, gained - heat - rest if moves else 0.0
-    hall.result[4], hall.result[5] = heat, rest
-    return impulse
+    return closing + impulse * soft, impulse, max(-0.5 * square / soft, 0.0)
 
 
-@inlined_kernel
+@bare_kernel
 def bounce_body(
     e: int,
     nx: float,
@@ -81,10 +60,27 @@ def bounce_body(
     book: Ledger,
     time: float,
 ) -> None:
-    """A site strikes element e: its body recoils."""
+    """A site strikes element e with `closing` speed: its body rebounds, as it does in exact flight.
+
+    lift : energy that moving the body out of the wall has set free (below zero: has cost) [energy]
+    epoch : keeps two meetings in one step from drawing the same random numbers
+    """
     hall, arm = walls.hall, lever_of(bodies, site, nx, ny)
-    yielding = yielding_of(bodies, row, arm)
-    impulse = _recoil(hall, e, nx, ny, closing, yielding, lift, book.id[site], time, epoch)
-    push_body(bodies, row, arm, nx, ny, impulse)
-    number = hall.kind[e, WALL]
-    book_hall(book, gas.species[site], site, number, time, impulse * nx, impulse * ny, hall.result)
+    result, number, mass, inertia = hall.result, hall.kind[e, WALL], bodies.mass[row], bodies.inertia[row]
+    vx, vy, spin = bodies.velocity[row, 0], bodies.velocity[row, 1], bodies.spin[row]
+    impulse, lacking = 0.0, 0.0
+    if lift != 0.0:
+        closing, impulse, lacking = _pay(row, arm, nx, ny, closing, lift, e, bodies, walls)
+    motion = bodies.velocity[row, 0], bodies.velocity[row, 1], bodies.spin[row]
+    wx, wy, turning = rebound_body(
+        hall, e, nx, ny, motion, closing, arm, mass, inertia, gas.radius[site], book.id[site], time, epoch
+    )
+    bodies.velocity[row, 0], bodies.velocity[row, 1], bodies.spin[row] = wx, wy, turning
+    result[2] += impulse
+    result[5] += lacking
+    if lift != 0.0:
+        gained = 0.5 * mass * (wx * wx + wy * wy - vx * vx - vy * vy) - lift
+        gained += 0.5 * inertia * (turning * turning - spin * spin)
+        moves = speed(hall, number, time) != 0.0 or hall.wall[number, MASS] > 0.0
+        result[3] = gained - result[4] - result[5] if moves else 0.0
+    book_hall(book, gas.species[site], site, number, time, mass * (wx - vx), mass * (wy - vy), result)
