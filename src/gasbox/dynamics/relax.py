@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.dynamics.forced import Forced, ForcedSettings
+from gasbox.dynamics.forced_discs import has_molecules
 from gasbox.dynamics.inner_tables import stiffest
 from gasbox.geometry import Enclosure, Geometry
 from gasbox.rng import Stream, generator
@@ -23,6 +24,8 @@ _CALM = 100.0
 _LARGEST_WAY = 0.03
 """Of the range: how far a disc is moved at once."""
 _MOST_ROUNDS = 5000
+_PATIENCE = 50
+"""Rounds after which molecules that still overlap are shaken."""
 _LONGEST = 0.2
 """Step times the frequency of a bound pair, beyond which a step is called long."""
 _FASTEST = 0.15
@@ -72,6 +75,8 @@ def relax(
         way[wild] = noise * _LARGEST_WAY * settings.sigma
         if apart is not None:
             way += apart * settings.sigma
+        if has_molecules(state) and turn % _PATIENCE == _PATIENCE - 1:
+            _shake(state, way, angle, size > limit, generator(seed, Stream.POSITIONS, 1 + turn))
         _move(geometry, state, way, angle)
         trial.resync(state)
     if not moved:
@@ -82,6 +87,19 @@ def relax(
         geometry.periodic, np.round(gap / box) * np.where(geometry.periodic, geometry.size, 0.0), 0.0
     )
     return float(np.hypot(*gap.T).max())
+
+
+def _shake(
+    state: State,
+    way: NDArray[np.float64],
+    angle: NDArray[np.float64],
+    stuck: NDArray[np.bool_],
+    random: np.random.Generator,
+) -> None:
+    """Other ways, and angles, for molecules that have caught each other: no force leads them out of that."""
+    many = int(np.count_nonzero(stuck))
+    way[stuck] = 0.5 * state.radius[stuck, None] * random.normal(size=(many, 2))
+    angle[stuck] = random.normal(size=many)
 
 
 def _without_baths(settings: ForcedSettings) -> ForcedSettings:

@@ -9,7 +9,7 @@ from gasbox.errors import Problem
 from gasbox.geometry import Rectangle
 from gasbox.scenario.dynamics import Forced
 from gasbox.scenario.forces import Forces
-from gasbox.scenario.kinds import anatomy, site_kinds_of
+from gasbox.scenario.kinds import site_kinds_of
 from gasbox.scenario.mixing import laws_of
 from gasbox.scenario.obstacles import Obstacle
 from gasbox.scenario.parts import Parts
@@ -40,7 +40,6 @@ def forced_problems(parts: Parts) -> Iterator[Problem]:
         return
     yield from _charges(parts)
     yield from _walls(parts)
-    yield from _molecules_at_walls(parts)
     yield from _thermostat(parts)
     yield from _barostat(parts)
     yield from _images(parts)
@@ -127,21 +126,6 @@ def _walls(parts: Parts) -> Iterator[Problem]:
         ):
             if getattr(entry, key) is not None:
                 yield Problem(f"schedule[{number}].{key}", found, "not available under forces")
-
-
-def _molecules_at_walls(parts: Parts) -> Iterator[Problem]:
-    """Rigid molecules between walls that would have to turn them round within a step."""
-    if parts.container is None or (parts.forces is not None and parts.forces.walls == "repulsive"):
-        return
-    shape = parts.container.geometry()
-    if isinstance(shape, Rectangle) and shape.periodic.all() and not parts.obstacles:
-        return
-    for number, molecule in enumerate(parts.molecules):
-        if molecule is None or len(anatomy(molecule)[0]) < 2:
-            continue
-        if all(bond.stiffness is None for bond in anatomy(molecule)[1]):
-            allowed = 'rigid molecules need forces.walls "repulsive", or a periodic box'
-            yield Problem(f"molecules[{number}]", "a rigid molecule between reflecting walls", allowed)
 
 
 def _thermostat(parts: Parts) -> Iterator[Problem]:

@@ -14,11 +14,12 @@ from gasbox.kernels.forced.bath import EVERY, LANGEVIN, OFF, POWER, THERMOSTAT, 
 from gasbox.kernels.forced.books_of_steps import Share, end_step, settle
 from gasbox.kernels.forced.crowd import Crowd
 from gasbox.kernels.forced.lists_anew import GROW, Rule, box_of, list_share, sort_all
+from gasbox.kernels.forced.molecule_walls import turn_all_round
 from gasbox.kernels.forced.molecules import drift_bodies, face, kick_bodies
 from gasbox.kernels.forced.motion import drift, furthest, kick, publish
 from gasbox.kernels.forced.phases import blocks_of, follow, force, rows_of, show_all, sum_all
 from gasbox.kernels.forced.tables import BLOCK, Books, Terms
-from gasbox.kernels.forced.walls import Walls, turn_round
+from gasbox.kernels.forced.walls import Walls
 from gasbox.kernels.team import meet, share
 
 __all__ = ["FORCE_FIRST", "GONE", "LISTED", "LIST_FIRST", "TOO_FAR", "advance"]
@@ -127,8 +128,8 @@ def advance(
         if stage == TURN:
             meet(flag, thread, threads)
             if thread == 0:
-                time = (step + 1) * step_time
-                room.full[threads] = turn_round(walls, atoms, gas, box_of(crowd, rule), book, time, step_time)
+                time, box = (step + 1) * step_time, box_of(crowd, rule)
+                room.full[threads] = turn_all_round(bodies, walls, atoms, gas, box, book, time, step_time)
             meet(flag, thread, threads)
             if room.full[threads]:
                 status = FULL

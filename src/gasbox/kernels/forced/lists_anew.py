@@ -55,7 +55,7 @@ def sort_all(crowd: Crowd, terms: Terms, rule: Rule, gas: Gas, walls: Walls) -> 
         return 1
     sort_atoms(atoms, box, strips, room)
     find(bodies, atoms, n)
-    if not list_walls(walls, atoms, gas, box, n, rule.skin):
+    if not list_walls(walls, atoms, bodies, gas, box, n, rule.skin):
         return 1
     return 0 if lay_out(atoms, slots, lists, bodies, box, strips, reach) else 1
 

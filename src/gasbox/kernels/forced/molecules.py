@@ -16,6 +16,7 @@ from gasbox.kernels.forced.motion import inside
 from gasbox.kernels.forced.tables import Atoms
 
 __all__ = [
+    "arm",
     "drift_bodies",
     "face",
     "find",

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas, Ledger, book_hall
+from gasbox.kernels.forced.bodies import Bodies
 from gasbox.kernels.forced.tables import Atoms
 from gasbox.kernels.hall.rebound import thermal_speeds
 from gasbox.kernels.hall.tables import (
@@ -38,7 +39,7 @@ from gasbox.kernels.hall.tables import (
     Hall,
 )
 
-__all__ = ["Walls", "list_walls", "push_back", "turn_round", "walls"]
+__all__ = ["Walls", "approach", "list_walls", "push_back", "turn_round", "walls"]
 
 _SMOOTH = 2.0 ** (1.0 / 6.0)
 
@@ -52,7 +53,8 @@ class Walls(NamedTuple):
     strength : of walls that push back smoothly [energy]; 0 for walls at which discs turn round
     near : (room, 4) int32, atom, element, and the image of it along x and y
     size : (1,) int64, rows of `near` in use
-    cursor : (1,) int64, how many of them have been looked at in this step
+    cursor : (4,) int64, how many of them have been looked at in this step, and again for those of rigid molecules;
+        contacts of the one that is looked at; whether rigid molecules are
     """
 
     hall: Hall
@@ -64,7 +66,7 @@ class Walls(NamedTuple):
 
 def walls(hall: Hall, strength: float, room: int) -> Walls:
     """With room for so many discs near walls."""
-    return Walls(hall, strength, np.zeros((room, 4), np.int32), np.zeros(1, np.int64), np.zeros(1, np.int64))
+    return Walls(hall, strength, np.zeros((room, 4), np.int32), np.zeros(1, np.int64), np.zeros(4, np.int64))
 
 
 @inlined_kernel
@@ -100,13 +102,24 @@ def _may_touch(hall: Hall, e: int, x: float, y: float, reach: float) -> bool:
     return height <= reach
 
 
+@inlined_kernel
+def _next(bodies: Bodies | None, number: int) -> int:
+    """Which atom comes next: in their order, or in that of the discs of molecules, so that each has them together."""
+    if bodies is None:
+        return number
+    return bodies.where[number]
+
+
 @bare_kernel
-def list_walls(walls: Walls, atoms: Atoms, gas: Gas, box: Box, n: int, skin: float) -> bool:
+def list_walls(
+    walls: Walls, atoms: Atoms, bodies: Bodies | None, gas: Gas, box: Box, n: int, skin: float
+) -> bool:
     """List who may touch a wall before the next time; False if there is too little room."""
     hall, count = walls.hall, 0
     across, along = 1 if box.periodic_x else 0, 1 if box.periodic_y else 0
     wide = 2.0 * _SMOOTH - 1.0 if walls.strength > 0.0 else 1.0
-    for k in range(n):
+    for number in range(n):
+        k = _next(bodies, number)
         reach = wide * gas.radius[atoms.row[k]] + skin
         for e in range(hall.kind.shape[0]):
             for image_y in range(-along, along + 1):
@@ -125,7 +138,7 @@ def list_walls(walls: Walls, atoms: Atoms, gas: Gas, box: Box, n: int, skin: flo
 
 
 @inlined_kernel
-def _approach(walls: Walls, entry: int, atoms: Atoms, box: Box) -> tuple[int, int, float, float, float]:
+def approach(walls: Walls, entry: int, atoms: Atoms, box: Box) -> tuple[int, int, float, float, float]:
     """Atom, element, normal and distance of an entry of the list."""
     hall = walls.hall
     k, e = walls.near[entry, 0], walls.near[entry, 1]
@@ -175,10 +188,12 @@ def _mirror(
     that: with the acceleration a along the normal, place and speed at the end lack a t² and a (2t - time_step).
     """
     hall, result = walls.hall, walls.hall.result
-    k, e, nx, ny, away = _approach(walls, entry, atoms, box)
+    k, e, nx, ny, away = approach(walls, entry, atoms, box)
     row, mass, number = atoms.row[k], atoms.mass[k], hall.kind[e, WALL]
     deep = gas.radius[row] - away
     if not deep > 0.0:
+        return
+    if atoms.rate[k] == 0.0:
         return
     vx, vy = atoms.vx[k], atoms.vy[k]
     vn, vt = vx * nx + vy * ny, vy * nx - vx * ny
@@ -209,7 +224,7 @@ def _push_from(
     walls: Walls, entry: int, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time_step: float
 ) -> None:
     """Add the force of one element on one atom, if it reaches so far."""
-    k, e, nx, ny, away = _approach(walls, entry, atoms, box)
+    k, e, nx, ny, away = approach(walls, entry, atoms, box)
     row = atoms.row[k]
     r = gas.radius[row]
     behind = away + r
@@ -238,7 +253,7 @@ def push_back(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time
         if hall.kind[e, KIND] == SIDE and math.isinf(hall.shape[e, HIGH]):
             _push_from(walls, entry, atoms, gas, box, book, time_step)
         else:
-            _, _, _, _, away = _approach(walls, entry, atoms, box)
+            _, _, _, _, away = approach(walls, entry, atoms, box)
             if away < least:
                 best, least = entry, away
         # The entries of one atom follow each other.
