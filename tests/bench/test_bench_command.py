@@ -30,7 +30,7 @@ def test_everything_is_measured(short: None) -> None:
     told: list[str] = []
     parts = list(bench.measure(True, told.append))
     forced = min(2, processors())
-    assert len(told) == len(parts) == 2 * (4 + forced) + 5
+    assert len(told) == len(parts) == 2 * (4 + forced) + 7
     # Small ones first, so that who interrupts it has seen as much as possible.
     assert [part[0].particles for part in parts] == [100] * (4 + forced) + [200] * 5 + [300] * (4 + forced)
     programs = {part[0].task: [result.program for result in part] for part in parts}

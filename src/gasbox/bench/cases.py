@@ -16,6 +16,7 @@ from gasbox.bench.gases import (
     SteppedGas,
     melted,
 )
+from gasbox.bench.molecules import hard_dumbbells, soft_dumbbells
 from gasbox.bench.observed import observed_gases
 from gasbox.bench.peers import stepped_peers
 from gasbox.bench.scenarios import ENCLOSURES, enclosed, exact_gas, mixture, stepped_gas
@@ -91,12 +92,14 @@ def _scans(sizes: tuple[int, ...]) -> list[_Task]:
 
 
 def _samples(sample: int) -> list[_Task]:
-    """What mixtures and walls cost, and what looking does."""
+    """What mixtures and walls cost, molecules, and what looking does."""
     exact, stepped = exact_gas(sample, 0.3), stepped_gas(sample)
     return [
         _Task("event-driven, mixture", "collisions", sample, partial(_mixtures, sample)),
         _Task("event-driven, enclosed", "collisions", sample, partial(_enclosed, exact)),
         _Task("stepped, enclosed", "particle steps", sample, partial(_enclosed, stepped)),
+        _Task("dumbbells, stepped", "particle steps", sample, partial(hard_dumbbells, sample)),
+        _Task("dumbbells, forced", "particle steps", sample, partial(soft_dumbbells, sample)),
         _Task("event-driven, observed", "collisions", sample, partial(_observed, exact)),
         _Task("stepped, observed", "particle steps", sample, partial(_observed, stepped)),
     ]
