@@ -197,11 +197,11 @@ def test_dilute_pressure_of_dumbbells():
 
 
 @pytest.mark.validate
-@pytest.mark.parametrize("temperature", [1.5, 3.0, 6.0])
+@pytest.mark.parametrize("temperature", [1.5, 4.0])
 def test_second_virial_coefficient_of_dumbbells(temperature):
     expected = second_coefficient(temperature)
-    dilute, error = found_coefficient(temperature, 0.01, 600, 40, 60.0)
-    dense, more = found_coefficient(temperature, 0.02, 600, 40, 60.0)
+    dilute, error = found_coefficient(temperature, 0.01, 600, 40, 30.0)
+    dense, more = found_coefficient(temperature, 0.02, 600, 40, 30.0)
     both = math.hypot(2 * error, more)
     print(f"T = {temperature}: B2 = {2 * dilute - dense:.3f}({both:.3f}), quadrature {expected:.3f}")
     assert both < 0.25
