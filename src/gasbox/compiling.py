@@ -2,25 +2,56 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from collections.abc import Callable
 from typing import Any, Final
 
 from gasbox.build import build
 from gasbox.initial import populate, separate, worst_overlap
-from gasbox.jit import mark_compiled
+from gasbox.jit import mark_compiled, was_compiled
 from gasbox.scenario import Scenario, parse
 from gasbox.state import Contacts
 
-__all__ = ["compile_kernels"]
+__all__ = ["compile_kernels", "compile_parts"]
 
 
-def compile_kernels(progress: Callable[[int, int, str], None] | None = None, backwards: bool = False) -> None:
+_HELPER: Final = "from gasbox.compiling import compile_parts; compile_parts(backwards=True)"
+
+
+def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> None:
     """Compile all kernels (first start after an installation) or load them from the cache.
+
+    Where there is another processor, a second process begins at the other end of the list: what it has compiled by
+    then is only loaded here.
 
     Parameters
     ----------
     progress : called before each part and at the end with (parts done, parts in all, name of the next part)
-    backwards : begin with the last part, beside another process that begins with the first
+    """
+    if was_compiled() or (os.cpu_count() or 1) < 2:
+        compile_parts(progress)
+        return
+    helper = subprocess.Popen(
+        [sys.executable, "-c", _HELPER],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    try:
+        compile_parts(progress)
+    finally:
+        helper.kill()
+        helper.wait()
+
+
+def compile_parts(progress: Callable[[int, int, str], None] | None = None, backwards: bool = False) -> None:
+    """Compile or load all kernels in this process, from the first part to the last or backwards.
+
+    Parameters
+    ----------
+    progress : as of `compile_kernels`
     """
     parts: list[tuple[str, Callable[[], object]]] = [
         ("placing discs", lambda: populate(_tiny("stepped"))),

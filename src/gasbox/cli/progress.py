@@ -66,7 +66,7 @@ def compile_first() -> None:
         compile_kernels()
         return
     console = Console(stderr=True)
-    console.print("Compiling kernels for this machine: at the first start only, a minute or so.")
+    console.print("Compiling kernels for this machine: at the first start only, some minutes.")
     with Bar(console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("", total=None)
         compile_kernels(
