@@ -32,7 +32,7 @@ def test_shipped_scenarios(name):
     allowed = 0.1 * 2.0 * state.radius.max() if isinstance(scenario.dynamics, Forced) else 0.0
     assert overlap is None or overlap.depth <= allowed
     listed = scenario.particles.count if scenario.particles else 0
-    assert state.count == listed + sum(species.count for species in scenario.species)
+    assert state.count == listed + sum(kind.count for kind in scenario.kinds)
     assert state.id.tolist() == list(range(state.count))
     assert state.time == 0.0
 
