@@ -12,6 +12,7 @@ from gasbox.errors import Problem, ScenarioError
 from gasbox.geometry import Enclosure, Geometry
 from gasbox.initial import Overlap, populate, recall_walls, separate, worst_overlap
 from gasbox.kernels.forced.bath import T_TO
+from gasbox.observe import temperature
 from gasbox.protocols import Dynamics
 from gasbox.scenario import (
     EventDriven,
@@ -29,9 +30,6 @@ __all__ = ["Parts", "build"]
 
 _FRAMES_ACROSS = 240
 """Frames in which a disc of typical speed crosses the shorter side of the box, where no interval is given."""
-
-_WITH_MOLECULES: tuple[str, ...] = ("event-driven", "forced", "stepped")
-"""Kinds of dynamics that know molecules."""
 
 _STEPS_A_FRAME = 10
 """Of forced dynamics: as many as lie between two measurements of the energy."""
@@ -57,9 +55,6 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
     ScenarioError
         Particles that cannot be placed, or overlap where that is not allowed.
     """
-    if scenario.molecules and scenario.dynamics.kind not in _WITH_MOLECULES:
-        found = f"dynamics of kind {scenario.dynamics.kind}"
-        raise ScenarioError([Problem("molecules", found, "it does not know molecules yet")])
     start = scenario.geometry()
     changes = _changes(scenario)
     geometry = start
@@ -164,7 +159,7 @@ def _forced_settings(scenario: Scenario, state: State) -> rules.ForcedSettings:
         if warm is None and said is not None:
             warm = float(said[T_TO])
         if warm is None:
-            warm = 0.5 * float(np.mean(state.mass @ state.velocity**2)) / max(state.count, 1)
+            warm = temperature(state, scenario.geometry()) or 0.0
         thermostat = thermostat.model_copy(update={"temperature": warm})
     charge = [entry.charge or 0.0 for entry in scenario.site_kinds]
     return rules.ForcedSettings(

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from gasbox.errors import UsageError
+from gasbox.kernels.forced.bath import T_TO
 from gasbox.scenario import ScheduledChange, parse
 from gasbox.simulation import Simulation
 from gasbox.state import SetBarostat, SetHeating, SetThermostat
@@ -165,3 +166,14 @@ def test_no_barostat_between_walls(periodic):
     simulation.apply(SetHeating(0.1))
     simulation.advance(until=1.0)
     assert not simulation.dynamics.tallies.barostat_work[0]
+
+
+@pytest.mark.parametrize("periodic", [(), ("x", "y")])
+def test_a_thermostat_without_a_temperature_keeps_that_of_the_start(periodic):
+    atom = {"name": "atom", "radius": 0.5, "count": 90, "speed": 2.0}
+    gas = scenario(periodic=periodic, species=[atom]).to_dict()
+    simulation = Simulation(parse({**gas, "thermostat": {"kind": "langevin"}}))
+    aim = simulation.dynamics.memory()["drive"][T_TO]
+    assert aim == pytest.approx(simulation.temperature(), rel=1e-12)
+    if not periodic:
+        assert aim == pytest.approx(2.0**2 / 2, rel=1e-12)

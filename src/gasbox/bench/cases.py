@@ -16,10 +16,9 @@ from gasbox.bench.gases import (
     SteppedGas,
     melted,
 )
-from gasbox.bench.molecules import hard_dumbbells, soft_dumbbells
 from gasbox.bench.observed import observed_gases
-from gasbox.bench.peers import stepped_peers
-from gasbox.bench.scenarios import ENCLOSURES, enclosed, exact_gas, mixture, stepped_gas
+from gasbox.bench.peers import pymunk_gas, stepped_peers
+from gasbox.bench.scenarios import ENCLOSURES, dumbbells, enclosed, exact_gas, mixture, stepped_gas
 from gasbox.dynamics.team import processors
 from gasbox.scenario import EventDriven, Scenario
 
@@ -98,8 +97,8 @@ def _samples(sample: int) -> list[_Task]:
         _Task("event-driven, mixture", "collisions", sample, partial(_mixtures, sample)),
         _Task("event-driven, enclosed", "collisions", sample, partial(_enclosed, exact)),
         _Task("stepped, enclosed", "particle steps", sample, partial(_enclosed, stepped)),
-        _Task("dumbbells, stepped", "particle steps", sample, partial(hard_dumbbells, sample)),
-        _Task("dumbbells, forced", "particle steps", sample, partial(soft_dumbbells, sample)),
+        _Task("dumbbells, stepped", "particle steps", sample, partial(_hard_dumbbells, sample)),
+        _Task("dumbbells, forced", "particle steps", sample, partial(_soft_dumbbells, sample)),
         _Task("event-driven, observed", "collisions", sample, partial(_observed, exact)),
         _Task("stepped, observed", "particle steps", sample, partial(_observed, stepped)),
     ]
@@ -122,6 +121,15 @@ def _stepped(particles: int) -> list[Contender]:
 def _forced(particles: int, threads: int) -> list[Contender]:
     scenario = melted(particles)
     return [ForcedGas(scenario, threads), *fluid_peers(scenario, threads)]
+
+
+def _hard_dumbbells(molecules: int) -> list[Contender]:
+    scenario = dumbbells(molecules, "stepped")
+    return [SteppedGas(scenario), *pymunk_gas(scenario)]
+
+
+def _soft_dumbbells(molecules: int) -> list[Contender]:
+    return [ForcedGas(dumbbells(molecules, "forced"))]
 
 
 def _mixtures(small: int) -> list[Contender]:

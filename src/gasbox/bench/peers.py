@@ -24,6 +24,7 @@ __all__ = [
     "ReboundGas",
     "corners",
     "missing_peers",
+    "pymunk_gas",
     "stepped_peers",
 ]
 
@@ -31,6 +32,11 @@ __all__ = [
 def stepped_peers(scenario: Scenario) -> list[Contender]:
     """The peers that are installed, each with the same gas at the start."""
     return [make(scenario) for package, make in PEERS.items() if _is_installed(package)]
+
+
+def pymunk_gas(scenario: Scenario) -> list[Contender]:
+    """pymunk with the same gas at the start, which may be of molecules; nothing where it is not installed."""
+    return [PymunkGas(scenario)] if _is_installed("pymunk") else []
 
 
 def missing_peers() -> list[str]:
@@ -54,7 +60,7 @@ def corners(size: NDArray[np.float64]) -> list[tuple[tuple[float, float], tuple[
 
 
 class PymunkGas:
-    """Rigid circles in pymunk (Chipmunk): elastic, without friction or slop, ten iterations."""
+    """Rigid circles, or bodies of several, in pymunk (Chipmunk): elastic, without friction or slop, ten iterations."""
 
     name = "pymunk"
 
@@ -66,12 +72,28 @@ class PymunkGas:
         state = populate(scenario)
         for start, end in corners(scenario.geometry().size):
             self._add(pymunk.Segment(space.static_body, start, end, 0.0))
-        for position, velocity in zip(state.position.tolist(), state.velocity.tolist(), strict=True):
-            body = pymunk.Body(1.0, float("inf"))
-            body.position, body.velocity = tuple(position), tuple(velocity)
-            space.add(body)
-            self._add(pymunk.Circle(body, 1.0))
+        for row in range(state.count):
+            self._enter(state, row)
         self._particles = state.count
+
+    def _enter(self, state: State, row: int) -> None:
+        """Add a particle: a circle, or the circles of a molecule on one body."""
+        import pymunk
+
+        inertia = float("inf") if state.sites is None else float(state.inertia[row])
+        body = pymunk.Body(float(state.mass[row]), inertia)
+        body.position, body.velocity = (
+            tuple(state.position[row].tolist()),
+            tuple(state.velocity[row].tolist()),
+        )
+        self._space.add(body)
+        if state.sites is None:
+            self._add(pymunk.Circle(body, float(state.radius[row])))
+            return
+        body.angle, body.angular_velocity = float(state.angle[row]), float(state.angular_velocity[row])
+        sites = state.sites
+        for site in range(sites.first[row], sites.first[row + 1]):
+            self._add(pymunk.Circle(body, float(sites.radius[site]), tuple(sites.place[site].tolist())))
 
     def _add(self, shape: Any) -> None:
         shape.elasticity, shape.friction = 1.0, 0.0

@@ -7,9 +7,11 @@ from typing import Any
 
 from gasbox.scenario import Scenario, parse
 
-__all__ = ["ENCLOSURES", "enclosed", "exact_gas", "fluid", "mixture", "stepped_gas"]
+__all__ = ["ENCLOSURES", "dumbbells", "enclosed", "exact_gas", "fluid", "mixture", "stepped_gas"]
 
 _SEED = 12
+_DUMBBELLS = 0.25
+"""Soft dumbbells for each square of side 1."""
 
 ENCLOSURES = ("rectangle", "100-sided polygon", "circle", "gravity", "piston")
 """What `enclosed` knows: shapes of one area with walls at rest; a rectangle under gravity; one with a free piston."""
@@ -58,6 +60,30 @@ def fluid(particles: int, thermostat: bool = False) -> Scenario:
             "forces": {"law": "lennard-jones", "cutoff": 2.5, "truncation": "shifted"},
             "frame_interval": 0.05,
             **(bath if thermostat else {}),
+        }
+    )
+
+
+def dumbbells(molecules: int, kind: str) -> Scenario:
+    """Two discs of mass 1 that touch, in each molecule; hard ones between walls, soft ones in a periodic square.
+
+    Hard (`kind` "stepped"): radius 1, area fraction 0.2, and a disc moves a tenth of its radius in a step of 1.
+    Soft (`kind` "forced"): Lennard-Jones sites, a density of 0.25 and a temperature of 2, in a step of 0.005.
+    """
+    soft = kind == "forced"
+    radius, temperature = (0.5, 2.0) if soft else (1.0, 0.01)
+    area = molecules / _DUMBBELLS if soft else molecules * 2 * math.pi / 0.2
+    box: dict[str, Any] = {"shape": "rectangle", "width": math.sqrt(area), "height": math.sqrt(area)}
+    atoms = [{"position": [x, 0], "radius": radius} for x in (-radius, radius)]
+    return parse(
+        {
+            "seed": _SEED,
+            "container": {**box, "periodic": ["x", "y"]} if soft else box,
+            "molecules": [
+                {"name": "dumbbells", "count": molecules, "temperature": temperature, "atoms": atoms}
+            ],
+            "dynamics": {"kind": kind, "time_step": 0.005 if soft else 1},
+            "frame_interval": 0.05 if soft else 10,
         }
     )
 

@@ -128,7 +128,7 @@ def _flying_energy(state: State, geometry: Geometry) -> float:
 
 def _frame_rate(state: State, geometry: Geometry) -> float:
     """Angular velocity of the frame in which heat is measured [rad/time]."""
-    return rotation_rate(state, geometry) if state.count and conserves_rotation(geometry) else 0.0
+    return _rotation_rate(state, geometry) if state.count and conserves_rotation(geometry) else 0.0
 
 
 def degrees_of_freedom(particles: State | int, geometry: Geometry) -> int:
@@ -215,10 +215,10 @@ def thermal_velocity(state: State, geometry: Geometry) -> NDArray[np.float64]:
 def _rotation(state: State, geometry: Geometry) -> NDArray[np.float64]:
     """(n, 2) float64 [length/time]: velocities of a rigid body with the same angular momentum."""
     arm = state.position - (0.5 * geometry.width, 0.5 * geometry.height)
-    return rotation_rate(state, geometry) * np.stack([-arm[:, 1], arm[:, 0]], axis=1)
+    return _rotation_rate(state, geometry) * np.stack([-arm[:, 1], arm[:, 0]], axis=1)
 
 
-def rotation_rate(state: State, geometry: Geometry) -> float:
+def _rotation_rate(state: State, geometry: Geometry) -> float:
     """Angular velocity [rad/time] of a rigid body with the same angular momentum about the middle."""
     center = (0.5 * geometry.width, 0.5 * geometry.height)
     arm = state.position - center
