@@ -13,7 +13,7 @@ from gasbox.geometry import Enclosure, Geometry
 from gasbox.initial import Overlap, populate, recall_walls, separate, worst_overlap
 from gasbox.kernels.forced.bath import T_TO
 from gasbox.observe import temperature
-from gasbox.protocols import Dynamics
+from gasbox.protocols import Dynamics, World
 from gasbox.scenario import (
     EventDriven,
     Forced,
@@ -24,7 +24,8 @@ from gasbox.scenario import (
     pair_laws,
     starting_temperature,
 )
-from gasbox.state import Change, Contacts, Control, Memory, State, Tallies
+from gasbox.state import Change, Contacts, Memory, MoveWall, SetGravity, SetWall, State, Tallies
+from gasbox.worlds import Replies
 
 __all__ = ["Parts", "build"]
 
@@ -45,10 +46,11 @@ class Parts:
     frame_interval: float
     warnings: tuple[str, ...]
     changes: list[tuple[float, Change]]
+    world: World | None
 
 
-def build(scenario: Scenario, threads: int | None = None) -> Parts:
-    """All parts for a scenario or a snapshot; `threads` as for `Simulation`.
+def build(scenario: Scenario, threads: int | None = None, world: World | None = None) -> Parts:
+    """All parts for a scenario or a snapshot; `threads` and `world` as for `Simulation`.
 
     Raises
     ------
@@ -57,9 +59,10 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
     """
     start = scenario.geometry()
     changes = _changes(scenario)
+    world = world if world is not None else _world(scenario)
     geometry = start
-    for time, change in changes:
-        if not isinstance(change, Control):
+    for time, change in sorted([*changes, *_replies(scenario, start)], key=lambda entry: entry[0]):
+        if isinstance(change, SetGravity | SetWall | MoveWall):
             geometry = rules.altered(geometry, time, change, start)
     state = populate(scenario)
     warnings: list[str] = []
@@ -77,7 +80,7 @@ def build(scenario: Scenario, threads: int | None = None) -> Parts:
     if isinstance(scenario.dynamics, Stepped):
         warnings += _tunnelling(state, scenario.dynamics.time_step)
     return Parts(
-        state, geometry, dynamics, _frame_interval(scenario, state, geometry), tuple(warnings), changes
+        state, geometry, dynamics, _frame_interval(scenario, state, geometry), tuple(warnings), changes, world
     )
 
 
@@ -99,6 +102,21 @@ def _changes(scenario: Scenario) -> list[tuple[float, Change]]:
     if scenario.snapshot is None:
         return []
     return [(entry.at, entry.change()) for entry in scenario.snapshot.changes]
+
+
+def _replies(scenario: Scenario, geometry: Geometry) -> list[tuple[float, SetGravity | SetWall | MoveWall]]:
+    """What the world had made of gravity and walls until the snapshot that the scenario is."""
+    if scenario.snapshot is None:
+        return []
+    return Replies.recalled(scenario.snapshot.memory, geometry.wall_names).entries()
+
+
+def _world(scenario: Scenario) -> World | None:
+    """The rules on top of the gas."""
+    match scenario.world:
+        case None:
+            return None
+    raise ScenarioError([Problem("world", scenario.world.kind, "a world that is there")])
 
 
 def _memory(scenario: Scenario) -> Memory | None:

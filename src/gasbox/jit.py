@@ -1,7 +1,8 @@
-"""How kernels are compiled: one decorator, one cache folder per state of the kernel sources.
+"""How kernels are compiled: one decorator, one cache folder per state of the sources that a kernel is made of.
 
 numba's own cache does not notice that a helper in *another* file has changed, and would leave the old helper inside
-its cached caller. The cache folder is therefore named by a hash of all kernel sources.
+its cached caller. The cache folder of a kernel is therefore named by a hash of its file and of all files of kernels
+that this one imports, directly or not: what has nothing to do with a change is not compiled again.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import contextlib
 import functools
 import hashlib
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -35,6 +37,9 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 _config: Any = numba.core.config
 _njit: Any = numba.njit  # its annotations leave out options that it takes
 _KERNEL_FOLDER = Path(__file__).parent / "kernels"
+_IMPORTS = re.compile(
+    rb"^\s*(?:from (gasbox\.kernels[\w.]*) import|import (gasbox\.kernels[\w.]*))", re.MULTILINE
+)
 
 
 def _cache_root() -> Path:
@@ -46,12 +51,44 @@ def _cache_root() -> Path:
 
 
 @functools.cache
-def cache_folder() -> Path:
-    """The folder of the compiled kernels, named by a hash of all kernel sources and of numba's version."""
+def _sources() -> dict[str, tuple[bytes, tuple[str, ...]]]:
+    """Module -> its source, and the modules of kernels that it names in imports."""
+    found = {}
+    for path in sorted(_KERNEL_FOLDER.rglob("*.py")):
+        parts = ("gasbox", *path.relative_to(_KERNEL_FOLDER.parent).with_suffix("").parts)
+        name = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+        source = path.read_bytes()
+        named = _IMPORTS.findall(source)
+        found[name] = source, tuple(sorted({module.decode() for pair in named for module in pair if module}))
+    return found
+
+
+def _made_of(module: str) -> list[str]:
+    """A module of kernels, and all that it imports, directly or not; of any other module, all kernels there are."""
+    sources = _sources()
+    if module not in sources:
+        return sorted(sources)
+    found, waiting = {module}, [module]
+    while waiting:
+        for named in sources[waiting.pop()][1]:
+            # `from gasbox.kernels import x` may mean the package or a module in it: a module's name comes whole.
+            fresh = {one for one in sources if one == named or named.startswith(f"{one}.")} - found
+            found |= fresh
+            waiting += fresh
+    return sorted(found)
+
+
+@functools.cache
+def cache_folder(module: str = "") -> Path:
+    """The folder of the compiled kernels of a module, named by a hash of its sources and of numba's version.
+
+    Without a module, that of all kernels together, where it is noted that they have been compiled.
+    """
     digest = hashlib.sha256(f"{numba.__version__} {sys.version_info[:2]}".encode())
-    for source in [Path(__file__), *sorted(_KERNEL_FOLDER.rglob("*.py"))]:
-        digest.update(source.name.encode())
-        digest.update(source.read_bytes())
+    digest.update(Path(__file__).read_bytes())
+    for name in _made_of(module):
+        digest.update(name.encode())
+        digest.update(_sources()[name][0])
     return _cache_root() / f"kernels-{digest.hexdigest()[:16]}"
 
 
@@ -78,7 +115,7 @@ def _compiled(function: _Function, **options: bool) -> _Function:
     if _config.DISABLE_JIT:
         return function
     previous = _config.CACHE_DIR
-    _config.CACHE_DIR = str(cache_folder())
+    _config.CACHE_DIR = str(cache_folder(function.__module__))
     try:
         compiled = _njit(cache=True, nogil=True, error_model="numpy", **options)(function)
     finally:
@@ -86,7 +123,7 @@ def _compiled(function: _Function, **options: bool) -> _Function:
     save = compiled._cache.save_overload
 
     def save_alone(*arguments: Any) -> None:
-        with _alone():
+        with _alone(cache_folder(function.__module__)):
             save(*arguments)
 
     compiled._cache.save_overload = save_alone
@@ -94,13 +131,13 @@ def _compiled(function: _Function, **options: bool) -> _Function:
 
 
 @contextlib.contextmanager
-def _alone() -> Iterator[None]:
+def _alone(folder: Path) -> Iterator[None]:
     """Keep other processes from writing to the cache.
 
     numba reads the index of a function, adds to it and writes it back. Two processes that did so at once, for
     different types of argument, could leave an index that names the code of the other type.
     """
-    with (cache_folder() / "lock").open("w") as file:
+    with (folder / "lock").open("w") as file:
         if sys.platform != "win32":
             # Where a file system knows no locks, go on without.
             with contextlib.suppress(OSError):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import IntEnum
-from typing import Protocol, runtime_checkable
+from typing import Any, Protocol, runtime_checkable
 
 from gasbox.geometry import Geometry
-from gasbox.state import Contacts, Control, Memory, State, Tallies
+from gasbox.state import Contacts, Control, Memory, Reply, SetWorld, State, Tallies
 
-__all__ = ["Controlled", "Dynamics", "Observer", "Status", "Warns"]
+__all__ = ["Controlled", "Dynamics", "Observer", "Status", "Warns", "World"]
 
 
 class Status(IntEnum):
@@ -94,4 +95,57 @@ class Observer(Protocol):
 
     def observe(self, state: State, tallies: Tallies) -> None:
         """Called at each frame."""
+        ...
+
+
+class World(Protocol):
+    """Rules on top of a gas, as of a game: contacts in, changes out.
+
+    At each whole multiple of `interval` it is shown the contacts since the last one (`read`) and the state (`act`), and
+    answers with what becomes of walls and particles. It is called at the same times however the run is looked at, and
+    must follow from the scenario, its seed, what it was shown and what was asked of it (`take`): then a run can be
+    repeated to the bit.
+    """
+
+    interval: float
+    """Simulated time from one call of `act` to the next [time]."""
+    reads_contacts: bool
+    """Whether `read` wants to be called."""
+
+    def start(self, state: State, geometry: Geometry) -> Sequence[Reply]:
+        """Called once, at the start of a scenario; not of a run that goes on from a snapshot."""
+        ...
+
+    def read(self, contacts: Contacts) -> None:
+        """Called with each filled part of the buffer of contacts, in the order of execution."""
+        ...
+
+    def act(self, state: State, geometry: Geometry) -> Sequence[Reply]:
+        """What follows now. The state is the simulation's own: only what is returned changes it."""
+        ...
+
+    def take(self, change: SetWorld) -> None:
+        """Give a setting another value.
+
+        Raises
+        ------
+        UsageError
+            There is no such setting, or it cannot have this value.
+        """
+        ...
+
+    def memory(self) -> Memory:
+        """All that must be kept to go on with the same bits: name -> number or array."""
+        ...
+
+    def recall(self, memory: Memory) -> None:
+        """Go on from what `memory` gave."""
+        ...
+
+    def summary(self) -> dict[str, Any]:
+        """What it came to so far, as JSON values."""
+        ...
+
+    def view(self) -> dict[str, Any]:
+        """What a page shows of it beside the particles, as JSON values; it is sent whenever it differs."""
         ...

@@ -25,7 +25,7 @@ def test_all_problems_of_a_file_at_once():
         {
             "format": "gasbox-scenario/2",
             "seed": -1,
-            "world": [0, -1],
+            "world": {"kind": "chess"},
             "colour": "blue",
             "container": {"width": 10, "height": 10},
             "species": [
@@ -43,7 +43,7 @@ def test_all_problems_of_a_file_at_once():
     assert set(found) == {
         "format",
         "seed",
-        "world",
+        "world.kind",
         "colour",
         "species[0].radius",
         "species[1]",
@@ -60,7 +60,6 @@ def test_all_problems_of_a_file_at_once():
         str(found["species[0].radius"])
         == "species[0].radius: found -1; must be greater than 0 (at least 1e-50)"
     )
-    assert found["world"].allowed == "world is not available yet"
     assert found["format"].allowed == 'must be "gasbox-scenario/1"'
 
 
@@ -124,12 +123,6 @@ def test_listed_centres_lie_inside(position):
 def test_bad_listed_particles(particles):
     found = problems(None, particles=particles)
     assert all(path.startswith("particles") for path in found)
-
-
-@pytest.mark.parametrize("key", ["world"])
-def test_reserved_keys_are_not_available_yet(key):
-    found = problems(None, **{key: {}})
-    assert {path: problem.allowed for path, problem in found.items()} == {key: f"{key} is not available yet"}
 
 
 def test_dynamics_need_a_known_kind():

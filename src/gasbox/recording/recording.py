@@ -15,7 +15,8 @@ from gasbox.geometry import Geometry
 from gasbox.recording import places
 from gasbox.recording.complaints import is_hdf5, reading
 from gasbox.scenario import Particles, Scenario, ScheduledChange, parse, sites_of
-from gasbox.state import Change, Control, Frame, State, Tallies
+from gasbox.state import Change, Frame, MoveWall, SetGravity, SetWall, State, Tallies
+from gasbox.worlds import Replies
 
 __all__ = ["Recording", "open_recording"]
 
@@ -131,9 +132,10 @@ class Recording:
         # What a schedule did stands among the changes as well; twice is once.
         planned = [(entry.at, entry.change()) for entry in self.scenario.schedule if entry.at <= time]
         start = geometry = self.scenario.geometry()
-        for moment, change in sorted([*planned, *changes], key=lambda entry: entry[0]):
-            if isinstance(change, Control):
-                # What holds the temperature of a gas, or the pressure, is no part of what it is in.
+        replies = Replies.recalled(self._memory(row), start.wall_names).entries()
+        for moment, change in sorted([*planned, *changes, *replies], key=lambda entry: entry[0]):
+            if not isinstance(change, SetGravity | SetWall | MoveWall):
+                # Baths and settings of a world are no part of what a gas is in.
                 continue
             # Here, because it loads the kernels, which most readers do without.
             from gasbox.dynamics import altered

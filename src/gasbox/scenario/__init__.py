@@ -15,8 +15,10 @@ from gasbox.scenario.container import (
     RectangleContainer,
     RegularPolygonContainer,
 )
+from gasbox.scenario.demon import Demon
 from gasbox.scenario.density import MIXTURE_LIMIT, ONE_SIZE_LIMIT, Crowd, centre_bounds
 from gasbox.scenario.dynamics import EventDriven, Forced, Stepped
+from gasbox.scenario.epidemic import Epidemic
 from gasbox.scenario.forces import Charges, Forces, PairForces
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.json_schema import schema
@@ -26,9 +28,11 @@ from gasbox.scenario.obstacles import BlockObstacle, Obstacle, PostObstacle, Seg
 from gasbox.scenario.pair_laws import PairLaw, pair_laws
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.placement import Placement
+from gasbox.scenario.pong import Pong
 from gasbox.scenario.reading import load, parse, shipped
 from gasbox.scenario.scenario import Scenario
 from gasbox.scenario.schedule import ScheduledChange
+from gasbox.scenario.setting import Setting
 from gasbox.scenario.settings import with_settings
 from gasbox.scenario.sites import sites_of
 from gasbox.scenario.snapshot import Snapshot
@@ -47,6 +51,8 @@ __all__ = [
     "CircleContainer",
     "Container",
     "Crowd",
+    "Demon",
+    "Epidemic",
     "EventDriven",
     "Forced",
     "Forces",
@@ -61,6 +67,7 @@ __all__ = [
     "Particles",
     "Placement",
     "PolygonContainer",
+    "Pong",
     "PostObstacle",
     "RectangleContainer",
     "Region",
@@ -68,6 +75,7 @@ __all__ = [
     "Scenario",
     "ScheduledChange",
     "SegmentObstacle",
+    "Setting",
     "Snapshot",
     "Species",
     "Stepped",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from gasbox.scenario.reserved import KEYS
 from gasbox.scenario.scenario import Scenario
 
 __all__ = ["schema"]
@@ -13,10 +12,7 @@ __all__ = ["schema"]
 def schema() -> dict[str, Any]:
     """JSON Schema (draft 2020-12) of a scenario file, with a description for every field."""
     described = Scenario.model_json_schema(by_alias=True)
-    described["description"] = (
-        "A gas in a box: what is in it, how it moves, and how it is shown. "
-        f"Kept for later and not available yet: {', '.join(sorted(KEYS))}."
-    )
+    described["description"] = "A gas in a box: what is in it, how it moves, and how it is shown."
     described["anyOf"] = [{"required": ["species"]}, {"required": ["molecules"]}]
     address = "https://json-schema.org/draft/2020-12/schema"
     return {"$schema": address, **described, "title": "gasbox scenario"}

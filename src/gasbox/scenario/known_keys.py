@@ -19,6 +19,7 @@ from gasbox.scenario.species import Region, Species
 from gasbox.scenario.units import Units
 from gasbox.scenario.values import Section
 from gasbox.scenario.walls import Passes, WallSettings
+from gasbox.scenario.world import WORLDS
 
 __all__ = ["KNOWN_KEYS", "keys_of"]
 
@@ -57,6 +58,7 @@ KNOWN_KEYS: Final[KnownKeys] = {
     ("thermostat",): keys_of(Langevin, VelocityRescaling),
     ("barostat",): keys_of(Barostat),
     ("heating",): keys_of(Heating),
+    ("world",): keys_of(*WORLDS.values()),
     ("units",): keys_of(Units),
     ("histograms",): keys_of(Histograms),
     ("snapshot",): keys_of(Snapshot),

@@ -19,6 +19,7 @@ from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Species
 from gasbox.scenario.values import Section
 from gasbox.scenario.walls import WallSettings
+from gasbox.scenario.world import World
 
 __all__ = ["Parts"]
 
@@ -43,6 +44,7 @@ class Parts:
     barostat: Barostat | None = None
     heating: Heating | None = None
     molecules: tuple[Molecule | None, ...] = ()
+    world: World | None = None
 
     @property
     def names(self) -> tuple[str, ...] | None:

@@ -28,7 +28,6 @@ from gasbox.scenario.obstacles import Obstacle
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.problems import short, translate
-from gasbox.scenario.reserved import without_reserved
 from gasbox.scenario.rules import broken_rules
 from gasbox.scenario.schedule import ScheduledChange
 from gasbox.scenario.snapshot import Snapshot
@@ -38,6 +37,7 @@ from gasbox.scenario.units import Units
 from gasbox.scenario.valid_parts import valid_parts
 from gasbox.scenario.values import LARGEST_SPECIES, WHOLE, Positive, Section, Vector
 from gasbox.scenario.walls import WallSettings
+from gasbox.scenario.world import World
 
 __all__ = ["Scenario"]
 
@@ -88,6 +88,8 @@ class Scenario(Section):
     """What holds the pressure, under dynamics `forced` in a periodic box."""
     heating: Heating | None = None
     """Heat that is added, under dynamics `forced`."""
+    world: World | None = None
+    """Rules on top of the gas: a game, an epidemic, a demon."""
     units: Units | None = None
     """Real units, shown beside the scenario's own."""
     frame_interval: Positive | None = None
@@ -107,7 +109,7 @@ class Scenario(Section):
             return handler(data)
         if not isinstance(data, dict):
             raise ScenarioError([Problem("", short(data), "a scenario is one JSON object {...}")])
-        data, problems = without_reserved(_with_colors(data))
+        data, problems = _with_colors(data), []
         particles: Particles | None = None
         wrong_rows: list[Problem] = []
         if data.get("particles") is not None:
@@ -224,6 +226,7 @@ def _parts(scenario: Scenario) -> Parts:
         scenario.barostat,
         scenario.heating,
         scenario.molecules,
+        scenario.world,
     )
 
 

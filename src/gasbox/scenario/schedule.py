@@ -1,20 +1,29 @@
-"""What changes at a given time: gravity, a wall, or what holds temperature and pressure or adds heat."""
+"""What changes at a given time: gravity, a wall, what holds temperature and pressure, a setting of the world."""
 
 from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, Strict
 
 from gasbox.scenario.baths import BarostatAim, Heating, NewPressure, NewTemperature, ThermostatAim
 from gasbox.scenario.values import Finite, NotNegative, Positive, Section, Vector
-from gasbox.state import Change, MoveWall, SetBarostat, SetGravity, SetHeating, SetThermostat, SetWall
+from gasbox.state import (
+    Change,
+    MoveWall,
+    SetBarostat,
+    SetGravity,
+    SetHeating,
+    SetThermostat,
+    SetWall,
+    SetWorld,
+)
 
 __all__ = ["ScheduledChange"]
 
 
 class ScheduledChange(Section):
-    """One change: it names `gravity`, `thermostat`, `barostat`, `heating`, or a `wall` and what becomes of it."""
+    """One change: of `gravity`, `thermostat`, `barostat`, `heating`, a `setting`, or a `wall` and what becomes of it."""
 
     at: NotNegative
     """When [time]."""
@@ -26,6 +35,10 @@ class ScheduledChange(Section):
     """Another pressure for the barostat, or "off"; then the area stays as it is."""
     heating: Heating | None = None
     """Heat is added at another rate."""
+    setting: Annotated[str, Field(min_length=1, max_length=60)] | None = None
+    """Name of a setting of the world, which gets `value`."""
+    value: Annotated[bool, Strict()] | Finite | Annotated[str, Field(max_length=200)] | None = None
+    """Of the setting: a number, a word, or true or false."""
     wall: Annotated[str, Field(min_length=1, max_length=60)] | None = None
     """Name of a wall."""
     present: bool | None = None
@@ -53,6 +66,8 @@ class ScheduledChange(Section):
             return SetBarostat(None) if goal == "off" else SetBarostat(goal.pressure, goal.over)
         if self.heating is not None:
             return SetHeating(self.heating.power)
+        if self.setting is not None:
+            return SetWorld(self.setting, "" if self.value is None else self.value)
         wall = self.wall or ""
         if self.displacement is not None:
             return MoveWall(wall, self.displacement, self.speed or 1.0, self.origin)
@@ -74,6 +89,8 @@ class ScheduledChange(Section):
                 return cls(at=time, barostat=BarostatAim(pressure=pressure, over=over))
             case SetHeating(power=power):
                 return cls(at=time, heating=Heating(power=power))
+            case SetWorld(name=name, value=value):
+                return cls(at=time, setting=name, value=value)
             case MoveWall(wall=wall, displacement=displacement, speed=speed, origin=origin):
                 return cls(at=time, wall=wall, displacement=displacement, speed=speed, origin=origin)
             case SetWall(wall=wall, present=present, temperature=temperature, free=free):

@@ -16,7 +16,7 @@ from gasbox.scenario.walls import WallSettings
 
 __all__ = ["schedule_problems"]
 
-_NAMED = ("gravity", "thermostat", "barostat", "heating", "wall")
+_NAMED = ("gravity", "thermostat", "barostat", "heating", "setting", "wall")
 _OF_WALLS = ("present", "temperature", "displacement", "free")
 
 
@@ -41,6 +41,12 @@ def _entry(path: str, entry: ScheduledChange, parts: Parts) -> Iterator[Problem]
         yield Problem(path, f"{named[0]} and {given[0]}", f"{given[0]} needs a wall, in an entry of its own")
     if entry.speed is not None and entry.displacement is None:
         yield Problem(f"{path}.speed", f"{entry.speed:g}", "goes with displacement: the speed of that motion")
+    if (entry.setting is None) != (entry.value is None):
+        yield Problem(
+            path, "setting without value" if entry.setting else "value without setting", "they go together"
+        )
+    elif entry.setting is not None:
+        yield from _setting(path, entry, parts)
     if entry.wall is None:
         return
     if not given and len(named) == 1:
@@ -49,6 +55,26 @@ def _entry(path: str, entry: ScheduledChange, parts: Parts) -> Iterator[Problem]
         others = " and ".join(key for key in given if key != "displacement")
         yield Problem(path, f"displacement and {others}", "a motion stands in an entry of its own")
     yield from _wall(path, entry, entry.wall, parts)
+
+
+def _setting(path: str, entry: ScheduledChange, parts: Parts) -> Iterator[Problem]:
+    """A setting that the world does not have, or cannot have so."""
+    assert entry.setting is not None
+    assert entry.value is not None
+    if parts.world is None:
+        yield Problem(
+            f"{path}.setting", short(entry.setting), "this scenario has no world, or its world is not valid"
+        )
+        return
+    known = parts.world.SETTINGS
+    if entry.setting not in known:
+        allowed = f"must be one of {', '.join(known)}{near(entry.setting, known)}"
+        yield Problem(f"{path}.setting", short(entry.setting), allowed)
+        return
+    try:
+        known[entry.setting].check(entry.value)
+    except ValueError as error:
+        yield Problem(f"{path}.value", short(entry.value), str(error))
 
 
 def _wall(path: str, entry: ScheduledChange, wall: str, parts: Parts) -> Iterator[Problem]:

@@ -21,6 +21,7 @@ from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Species
 from gasbox.scenario.values import GREATEST, LEAST, Section
 from gasbox.scenario.walls import WallSettings
+from gasbox.scenario.world import WORLDS
 
 __all__ = ["valid_parts"]
 
@@ -52,6 +53,7 @@ def valid_parts(data: Mapping[str, Any], particles: Particles | None) -> Parts:
         _one(Barostat, data.get("barostat")),
         _one(Heating, data.get("heating")),
         tuple(_one(Molecule, entry) for entry in _list(data.get("molecules"))),
+        _of_kind("kind", WORLDS, data.get("world")),
     )
 
 

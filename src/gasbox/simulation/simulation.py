@@ -13,10 +13,11 @@ from gasbox import observe
 from gasbox.build import build
 from gasbox.dynamics import altered
 from gasbox.errors import UsageError
-from gasbox.protocols import Controlled, Observer, Status
+from gasbox.protocols import Controlled, Observer, Status, World
 from gasbox.scenario import Scenario, ScheduledChange, Stepped, load
 from gasbox.simulation import snapshot, summary
-from gasbox.state import Change, Contacts, Control, Frame, MoveWall
+from gasbox.simulation.guide import Guide
+from gasbox.state import Change, Contacts, Control, Frame, MoveWall, SetGravity, SetWall, SetWorld
 
 __all__ = ["Simulation"]
 
@@ -31,6 +32,7 @@ class Simulation:
     ----------
     scenario : a scenario, or a snapshot to go on from
     observers : what reads the run; whether contacts are written depends on them
+    world : rules on top of the gas, in place of those that the scenario names
     threads : how many work together; None takes as many processors as there are, if the dynamics can use them and
         there are many particles. It changes no bit
 
@@ -43,11 +45,15 @@ class Simulation:
     """
 
     def __init__(
-        self, scenario: Scenario, observers: Iterable[Observer] = (), threads: int | None = None
+        self,
+        scenario: Scenario,
+        observers: Iterable[Observer] = (),
+        threads: int | None = None,
+        world: World | None = None,
     ) -> None:
         if threads is not None and threads < 1:
             raise UsageError(f"the number of threads is {threads}; there must be at least one")
-        parts = build(scenario, threads)
+        parts = build(scenario, threads, world)
         self.scenario = scenario
         self.state = parts.state
         self.geometry = parts.geometry
@@ -72,6 +78,7 @@ class Simulation:
         self._start_geometry = scenario.geometry()
         self._plan = self._what_is_to_come()
         self._observers: list[Observer] = []
+        self._guide = None if parts.world is None else Guide(self, parts.world)
         for observer in observers:
             self.attach(observer)
 
@@ -79,6 +86,11 @@ class Simulation:
     def time(self) -> float:
         """Simulated time [time]."""
         return self.state.time
+
+    @property
+    def world(self) -> World | None:
+        """The rules on top of the gas."""
+        return None if self._guide is None else self._guide.world
 
     def _what_is_to_come(self) -> list[ScheduledChange]:
         """The schedule, the latest first; of a snapshot, what was not done yet."""
@@ -88,17 +100,32 @@ class Simulation:
         return sorted(plan, key=lambda entry: entry.at)[::-1]
 
     def apply(self, change: Change) -> None:
-        """Change gravity, a wall or a bath now. It is logged, so that the run can be repeated to the bit.
+        """Change gravity, a wall, a bath or a setting of the world now. It is logged: the run can be repeated to the bit.
 
         Raises
         ------
         UsageError
-            There is no such wall, or it cannot do that; or there is nothing in this dynamics to change so.
+            There is no such wall, or it cannot do that; or there is nothing in this dynamics or world to change so.
         """
-        if isinstance(change, Control):
-            self._control(change)
-            self.changes.append((self.time, change))
-            return
+        match change:
+            case SetWorld():
+                if self._guide is None:
+                    raise UsageError(f"there is no world in which {change.name} could be set")
+                self._guide.world.take(change)
+            case SetGravity() | SetWall() | MoveWall():
+                change = self.surround(change)
+            case _:
+                self._control(change)
+        self.changes.append((self.time, change))
+
+    def surround(self, change: SetGravity | SetWall | MoveWall) -> SetGravity | SetWall | MoveWall:
+        """Change gravity or a wall now, without a note of it in `changes`; returns it with all that belongs to it.
+
+        Raises
+        ------
+        UsageError
+            There is no such wall, or it cannot do that.
+        """
         if isinstance(change, MoveWall) and change.wall in self.geometry.wall_names:
             number = self.geometry.wall_names.index(change.wall)
             moved = self.state.wall_displacement
@@ -106,10 +133,10 @@ class Simulation:
         geometry = altered(self.geometry, self.time, change, self._start_geometry)
         self.dynamics.alter(self.state, geometry)
         self.geometry = geometry
-        self.changes.append((self.time, change))
         for observer in self._observers:
             if isinstance(observer, observe.FollowsChanges):
                 observer.changed(self.state, self.geometry)
+        return change
 
     def _control(self, change: Control) -> None:
         if not isinstance(self.dynamics, Controlled):
@@ -122,7 +149,12 @@ class Simulation:
         """Let an observer read the run from now on."""
         observer.start(self.state, self.dynamics.tallies)
         self._observers.append(observer)
-        if observer.reads_contacts and self.dynamics.contacts.capacity == 0:
+        if observer.reads_contacts:
+            self.write_contacts()
+
+    def write_contacts(self) -> None:
+        """Let the dynamics write contacts from now on: somebody reads them."""
+        if self.dynamics.contacts.capacity == 0:
             self.dynamics.contacts = Contacts.empty(_CONTACTS)
 
     def advance(self, *, frames: int | None = None, until: float | None = None) -> None:
@@ -167,6 +199,13 @@ class Simulation:
         self.wall_seconds += clock.perf_counter() - begin
 
     def _run_to(self, until: float) -> None:
+        if self._guide is not None:
+            while (time := self._guide.next) <= until:
+                self._move_to(time)
+                self._guide.act()
+        self._move_to(until)
+
+    def _move_to(self, until: float) -> None:
         while self.dynamics.advance(self.state, until) is Status.FULL:
             self._read_contacts()
         self._read_contacts()
@@ -178,6 +217,8 @@ class Simulation:
             for observer in self._observers:
                 if observer.reads_contacts:
                     observer.read(contacts)
+            if self._guide is not None and self._guide.world.reads_contacts:
+                self._guide.world.read(contacts)
             contacts.clear()
 
     def temperature(self) -> float | None:
@@ -202,7 +243,10 @@ class Simulation:
 
     def frame_view(self) -> Frame:
         """The present frame; its arrays are the simulation's own."""
-        return Frame(self.frame, self.state, self.dynamics.tallies, self.dynamics.memory())
+        memory = self.dynamics.memory()
+        if self._guide is not None:
+            memory |= self._guide.memory()
+        return Frame(self.frame, self.state, self.dynamics.tallies, memory)
 
     def summary(self) -> dict[str, Any]:
         """What `gasbox run --json` prints."""
@@ -231,12 +275,12 @@ class Simulation:
         snapshot.write(self.snapshot(), Path(path))
 
     @classmethod
-    def restore(cls, source: str | Path | Scenario) -> Simulation:
-        """Go on from a snapshot, or from a file that holds one.
+    def restore(cls, source: str | Path | Scenario, world: World | None = None) -> Simulation:
+        """Go on from a snapshot, or from a file that holds one; `world` as for `Simulation`.
 
         Raises
         ------
         FileError, ScenarioError
             The file cannot be read or accepted.
         """
-        return cls(source if isinstance(source, Scenario) else load(str(source)))
+        return cls(source if isinstance(source, Scenario) else load(str(source)), world=world)

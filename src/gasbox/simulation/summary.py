@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from gasbox import observe
 from gasbox.geometry import Geometry
-from gasbox.protocols import Dynamics, Warns
+from gasbox.protocols import Dynamics, Warns, World
 from gasbox.scenario import Forced, Scenario, Stepped
 from gasbox.state import State, Tallies
 from gasbox.version import __version__
@@ -30,6 +30,11 @@ class Run(Protocol):
     mean_displacement: observe.MeanDisplacement
     wall_seconds: float
     warnings: tuple[str, ...]
+
+    @property
+    def world(self) -> World | None:
+        """As `Simulation.world`."""
+        ...
 
     def temperature(self) -> float | None:
         """As `Simulation.temperature`."""
@@ -87,6 +92,7 @@ def summary(simulation: Run) -> dict[str, Any]:
         "walls": walls(simulation, change, here, duration),
         "left": _left(simulation, change),
         "species": [_species(simulation, k, int(counts[k])) for k in range(size.size)],
+        **({} if simulation.world is None else {"world": simulation.world.summary()}),
         "wall_seconds": seconds,
         "collisions_per_second": collisions / seconds if seconds > 0 else None,
         "particle_steps_per_second": _particle_steps(simulation, duration) if seconds > 0 else None,

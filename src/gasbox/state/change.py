@@ -4,15 +4,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 __all__ = [
     "Change",
     "Control",
     "MoveWall",
+    "ParticleChange",
+    "RemoveParticles",
+    "Reply",
     "SetBarostat",
     "SetGravity",
     "SetHeating",
+    "SetParticles",
     "SetThermostat",
     "SetWall",
+    "SetWorld",
 ]
 
 
@@ -107,4 +115,57 @@ class SetHeating:
 Control = SetThermostat | SetBarostat | SetHeating
 """What acts on a gas with forces as a whole."""
 
-Change = SetGravity | SetWall | MoveWall | Control
+
+@dataclass(frozen=True)
+class SetWorld:
+    """A setting of the world gets another value.
+
+    Attributes
+    ----------
+    name : of the setting; the world says which there are
+    value : a number, a word, or whether
+    """
+
+    name: str
+    value: float | str | bool
+
+
+Change = SetGravity | SetWall | MoveWall | Control | SetWorld
+"""What may be asked for from outside: by the schedule of a scenario, or live. It is logged."""
+
+
+@dataclass(frozen=True, eq=False)
+class SetParticles:
+    """Particles are put elsewhere, fly otherwise, or become another kind; only a world does that.
+
+    Attributes
+    ----------
+    ids : (k,) int64, each once
+    position : (k, 2) float64 [length]; None leaves them where they are. Hard discs that would overlap are moved apart
+    velocity : (k, 2) float64 [length/time]; None leaves it
+    species : (k,) int32, index of a kind, whose mass and radius they get; None leaves it
+    """
+
+    ids: NDArray[np.int64]
+    position: NDArray[np.float64] | None = None
+    velocity: NDArray[np.float64] | None = None
+    species: NDArray[np.int32] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class RemoveParticles:
+    """Particles are taken out of the gas for good; only a world does that.
+
+    Attributes
+    ----------
+    ids : (k,) int64
+    """
+
+    ids: NDArray[np.int64]
+
+
+ParticleChange = SetParticles | RemoveParticles
+"""What becomes of single particles. It follows from the run itself, so it is not logged."""
+
+Reply = SetGravity | SetWall | MoveWall | ParticleChange
+"""What a world may answer with."""

@@ -1,0 +1,48 @@
+"""What can be set in a world while it runs: the values that a setting may have."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+__all__ = ["Setting"]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One setting: a number in a range, one of a few words, or yes or no.
+
+    Attributes
+    ----------
+    meaning : in a few words, for the page and for messages
+    least, greatest : of a number
+    unit : of a number, as [length/time]; empty of a pure one
+    words : that it may be; empty of a number
+    is_switch : whether it is true or false
+    """
+
+    meaning: str
+    least: float = -math.inf
+    greatest: float = math.inf
+    unit: str = ""
+    words: Sequence[str] = ()
+    is_switch: bool = False
+
+    def check(self, value: float | str | bool) -> float | str | bool:
+        """The value, if it may be so.
+
+        Raises
+        ------
+        ValueError
+            It may not, with what is allowed.
+        """
+        if self.is_switch:
+            if not isinstance(value, bool):
+                raise ValueError("must be true or false")
+        elif self.words:
+            if value not in self.words:
+                raise ValueError(f"must be one of {', '.join(self.words)}")
+        elif isinstance(value, bool | str) or not self.least <= value <= self.greatest:
+            raise ValueError(f"must be a number from {self.least:g} to {self.greatest:g}")
+        return value

@@ -1,0 +1,120 @@
+"""Lets a world act on a run: when it is its turn, and what becomes of what it answers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gasbox.errors import UsageError
+from gasbox.initial import separate, worst_overlap
+from gasbox.protocols import World
+from gasbox.scenario import EventDriven
+from gasbox.state import Memory, MoveWall, RemoveParticles, Reply, SetGravity, SetParticles, SetWall
+from gasbox.worlds import Replies
+
+if TYPE_CHECKING:
+    from gasbox.simulation.simulation import Simulation
+
+__all__ = ["Guide"]
+
+_PREFIX: Final = "world_"
+"""Before the names of what a world remembers."""
+_SLACK: Final = 1e-6
+"""Of an interval: so near to its end it is over."""
+
+
+class Guide:
+    """A world beside its simulation.
+
+    Parameters
+    ----------
+    simulation : all but its observers is ready
+    world : has not begun yet; it begins here, or goes on from the snapshot
+    """
+
+    def __init__(self, simulation: Simulation, world: World) -> None:
+        self.world = world
+        self._simulation = simulation
+        self._replies = Replies({}, simulation.geometry.wall_names)
+        if world.reads_contacts:
+            simulation.write_contacts()
+        self._turn = math.floor(simulation.time / world.interval + _SLACK) + 1
+        snapshot = simulation.scenario.snapshot
+        remembered = {} if snapshot is None else snapshot.memory
+        mine = {
+            name.removeprefix(_PREFIX): value
+            for name, value in remembered.items()
+            if name.startswith(_PREFIX)
+        }
+        if mine:
+            self._replies = Replies.recalled(remembered, simulation.geometry.wall_names)
+            world.recall(mine)
+        else:
+            self._follow(world.start(simulation.state, simulation.geometry))
+
+    @property
+    def next(self) -> float:
+        """When it is the world's turn again [time]."""
+        return self._turn * self.world.interval
+
+    def act(self) -> None:
+        """Let the world act, and do what it says."""
+        self._turn += 1
+        self._follow(self.world.act(self._simulation.state, self._simulation.geometry))
+
+    def memory(self) -> Memory:
+        """What must be kept of the world to go on with the same bits."""
+        mine = {f"{_PREFIX}{name}": value for name, value in self.world.memory().items()}
+        # There is always something, by which a snapshot tells that the world has begun.
+        return {**mine, f"{_PREFIX}turn": self._turn, **self._replies.memory()}
+
+    def _follow(self, replies: Sequence[Reply]) -> None:
+        moved = False
+        for reply in replies:
+            match reply:
+                case SetGravity() | SetWall() | MoveWall():
+                    change = self._simulation.surround(reply)
+                    self._replies.note(self._simulation.time, change)
+                case SetParticles():
+                    moved |= self._set(reply)
+                case RemoveParticles(ids=ids):
+                    self._simulation.state.keep(~np.isin(self._simulation.state.id, ids))
+                    moved = True
+        if moved:
+            self._take_over()
+
+    def _set(self, change: SetParticles) -> bool:
+        """Write what has changed into the state; whether it was anything."""
+        simulation, state = self._simulation, self._simulation.state
+        rows = self._rows(change.ids)
+        if change.position is not None:
+            state.position[rows] = simulation.geometry.wrap(np.asarray(change.position, np.float64))
+        if change.velocity is not None:
+            state.velocity[rows] = change.velocity
+        if change.species is not None:
+            kinds = simulation.scenario.kinds
+            state.species[rows] = change.species
+            state.mass[rows] = np.array([kind.mass for kind in kinds])[change.species]
+            state.radius[rows] = np.array([kind.radius for kind in kinds])[change.species]
+        return rows.size > 0
+
+    def _rows(self, ids: NDArray[np.int64]) -> NDArray[np.int64]:
+        state = self._simulation.state
+        rows = np.searchsorted(state.id, ids)
+        if rows.size and (rows.max() >= state.count or not np.array_equal(state.id[rows], ids)):
+            raise UsageError("the world has changed particles that are not there")
+        return rows
+
+    def _take_over(self) -> None:
+        """Let the dynamics go on from the state as it is now; hard discs must not overlap in it."""
+        simulation, state = self._simulation, self._simulation.state
+        state.turn_sites()
+        if isinstance(simulation.scenario.dynamics, EventDriven):
+            here = simulation.geometry.at(state.wall_displacement)
+            if worst_overlap(state, here) is not None:
+                separate(state, here)
+        simulation.dynamics.resync(state)

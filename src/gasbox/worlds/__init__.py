@@ -1,0 +1,5 @@
+"""Worlds: rules on top of a gas, built on what is public alone. Contacts and the state in, changes out."""
+
+from gasbox.worlds.replies import Replies
+
+__all__ = ["Replies"]
