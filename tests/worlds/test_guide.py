@@ -13,7 +13,7 @@ KINDS = ["event-driven", "stepped"]
 
 
 class Conversion:
-    """Whoever is hit by one of the second kind becomes one; the gate moves to and fro; some are sent back or removed."""
+    """Whoever is hit by a marked disc becomes one; the gate moves to and fro; some are sent back or removed."""
 
     reads_contacts = True
 
@@ -113,10 +113,12 @@ def test_looking_changes_nothing(kind):
     for time in [0.1, 0.25, 0.3, 1.0, 1.0, 7.3, 12.25, 20.0]:
         other.advance(until=time)
     assert bits(one) == bits(other)
-    assert one.state.count < 60 and one.state.species.sum() > 10
+    assert one.state.count < 60
+    assert one.state.species.sum() > 10
     assert one.summary()["world"] == {"turns": 80}
     marked = one.state.species == 1
-    assert (one.state.mass[marked] == 2).all() and (one.state.radius[~marked] == 0.3).all()
+    assert (one.state.mass[marked] == 2).all()
+    assert (one.state.radius[~marked] == 0.3).all()
 
 
 @pytest.mark.parametrize("kind", KINDS)

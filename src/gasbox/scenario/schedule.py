@@ -23,7 +23,7 @@ __all__ = ["ScheduledChange"]
 
 
 class ScheduledChange(Section):
-    """One change: of `gravity`, `thermostat`, `barostat`, `heating`, a `setting`, or a `wall` and what becomes of it."""
+    """One change: of `gravity`, `thermostat`, `barostat`, `heating`, a `setting`, or what becomes of a `wall`."""
 
     at: NotNegative
     """When [time]."""

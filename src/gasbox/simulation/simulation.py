@@ -100,7 +100,7 @@ class Simulation:
         return sorted(plan, key=lambda entry: entry.at)[::-1]
 
     def apply(self, change: Change) -> None:
-        """Change gravity, a wall, a bath or a setting of the world now. It is logged: the run can be repeated to the bit.
+        """Change gravity, a wall, a bath or a setting of the world now; logged, so the run can be repeated to the bit.
 
         Raises
         ------
