@@ -6,6 +6,9 @@ from collections.abc import Sequence
 from enum import IntEnum
 from typing import Any, Protocol, runtime_checkable
 
+import numpy as np
+from numpy.typing import NDArray
+
 from gasbox.geometry import Geometry
 from gasbox.state import Contacts, Control, Memory, Reply, SetWorld, State, Tallies
 
@@ -144,6 +147,10 @@ class World(Protocol):
 
     def summary(self) -> dict[str, Any]:
         """What it came to so far, as JSON values."""
+        ...
+
+    def series(self) -> dict[str, NDArray[np.float64]]:
+        """What it has counted over time: name -> (k,), among them ``time`` [time]; empty if it counts nothing."""
         ...
 
     def view(self) -> dict[str, Any]:

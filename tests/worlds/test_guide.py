@@ -72,6 +72,9 @@ class Conversion:
     def summary(self):
         return {"turns": self.turns}
 
+    def series(self):
+        return {}
+
     def view(self):
         return {}
 
