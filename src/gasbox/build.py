@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gasbox import dynamics as rules
+from gasbox import worlds
 from gasbox.errors import Problem, ScenarioError
 from gasbox.geometry import Enclosure, Geometry
 from gasbox.initial import Overlap, populate, recall_walls, separate, worst_overlap
@@ -15,17 +16,19 @@ from gasbox.kernels.forced.bath import T_TO
 from gasbox.observe import temperature
 from gasbox.protocols import Dynamics, World
 from gasbox.scenario import (
+    Epidemic,
     EventDriven,
     Forced,
     Forces,
     Scenario,
     Snapshot,
     Stepped,
+    Walk,
     pair_laws,
+    places_of,
     starting_temperature,
 )
 from gasbox.state import Change, Contacts, Memory, MoveWall, SetGravity, SetWall, State, Tallies
-from gasbox.worlds import Replies
 
 __all__ = ["Parts", "build"]
 
@@ -108,7 +111,7 @@ def _replies(scenario: Scenario, geometry: Geometry) -> list[tuple[float, SetGra
     """What the world had made of gravity and walls until the snapshot that the scenario is."""
     if scenario.snapshot is None:
         return []
-    return Replies.recalled(scenario.snapshot.memory, geometry.wall_names).entries()
+    return worlds.Replies.recalled(scenario.snapshot.memory, geometry.wall_names).entries()
 
 
 def _world(scenario: Scenario) -> World | None:
@@ -116,6 +119,8 @@ def _world(scenario: Scenario) -> World | None:
     match scenario.world:
         case None:
             return None
+        case Epidemic():
+            return worlds.Epidemic(scenario)
     raise ScenarioError([Problem("world", scenario.world.kind, "a world that is there")])
 
 
@@ -131,6 +136,8 @@ def _memory(scenario: Scenario) -> Memory | None:
             return memory if "epoch" in memory else None
         case Forced():
             return memory if "forced_step" in memory else None
+        case Walk():
+            return memory if "walk_step" in memory else None
 
 
 def _dynamics(
@@ -148,6 +155,9 @@ def _dynamics(
         case Forced():
             settings = _forced_settings(scenario, state)
             return rules.Forced(state, geometry, settings, tallies, contacts, memory, threads, scenario.seed)
+        case Walk():
+            settings_of_walk = _walk_settings(scenario)
+            return rules.Walk(state, geometry, settings_of_walk, tallies, contacts, memory, scenario.seed)
 
 
 def _calm(state: State, geometry: Geometry, scenario: Scenario) -> list[str]:
@@ -189,6 +199,21 @@ def _forced_settings(scenario: Scenario, state: State) -> rules.ForcedSettings:
         scenario.barostat,
         scenario.heating,
         scenario.kinds,
+    )
+
+
+def _walk_settings(scenario: Scenario) -> rules.WalkSettings:
+    """How people walk, and where."""
+    walk, places = scenario.dynamics, places_of(scenario)
+    assert isinstance(walk, Walk)
+    return rules.WalkSettings(
+        walk.time_step,
+        walk.speed,
+        walk.turning,
+        walk.hurry,
+        walk.reach,
+        places.table,
+        places.rooms.shape[0],
     )
 
 
@@ -257,7 +282,7 @@ def _frame_interval(scenario: Scenario, state: State, geometry: Geometry) -> flo
     """The scenario's own, else one step, else so that the motion is pleasant to watch (rounded to 1, 2 or 5)."""
     if scenario.frame_interval is not None:
         return scenario.frame_interval
-    if isinstance(scenario.dynamics, Stepped):
+    if isinstance(scenario.dynamics, Stepped | Walk):
         return scenario.dynamics.time_step
     if isinstance(scenario.dynamics, Forced):
         return _STEPS_A_FRAME * scenario.dynamics.time_step

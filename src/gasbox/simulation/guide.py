@@ -11,9 +11,18 @@ from numpy.typing import NDArray
 
 from gasbox.errors import UsageError
 from gasbox.initial import separate, worst_overlap
-from gasbox.protocols import World
+from gasbox.protocols import Led, World
 from gasbox.scenario import EventDriven
-from gasbox.state import Memory, MoveWall, RemoveParticles, Reply, SetGravity, SetParticles, SetWall
+from gasbox.state import (
+    Memory,
+    MoveWall,
+    RemoveParticles,
+    Reply,
+    SetGravity,
+    SetParticles,
+    SetWalkers,
+    SetWall,
+)
 from gasbox.worlds import Replies
 
 if TYPE_CHECKING:
@@ -81,6 +90,10 @@ class Guide:
                     self._replies.note(self._simulation.time, change)
                 case SetParticles():
                     moved |= self._set(reply)
+                case SetWalkers():
+                    if not isinstance(self._simulation.dynamics, Led):
+                        raise UsageError("the world has told particles where to go that cannot walk")
+                    self._simulation.dynamics.lead(self._simulation.state, reply)
                 case RemoveParticles(ids=ids):
                     self._simulation.state.keep(~np.isin(self._simulation.state.id, ids))
                     moved = True

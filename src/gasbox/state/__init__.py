@@ -12,6 +12,7 @@ from gasbox.state.change import (
     SetHeating,
     SetParticles,
     SetThermostat,
+    SetWalkers,
     SetWall,
     SetWorld,
 )
@@ -41,6 +42,7 @@ __all__ = [
     "SetHeating",
     "SetParticles",
     "SetThermostat",
+    "SetWalkers",
     "SetWall",
     "SetWorld",
     "Sites",
