@@ -84,5 +84,7 @@ def _movable(enclosure: Enclosure, name: str) -> int:
         isinstance(enclosure.container, Rectangle)
         or number >= len(enclosure.walls) - len(enclosure.obstacles)
     ):
-        raise UsageError(f"{name} cannot move: only sides of a rectangle and segments can")
+        raise UsageError(
+            f"{name} cannot move: only sides of a rectangle, segments, and discs with a direction can"
+        )
     return number

@@ -118,10 +118,15 @@ def shifted(enclosure: Surroundings, number: int) -> Obstacle:
     """An obstacle where it is now."""
     obstacle = enclosure.obstacles[number]
     dx, dy = shift(enclosure, side_count(enclosure.container) + number)
-    if not isinstance(obstacle, Segment) or (dx == 0.0 and dy == 0.0):
+    if dx == 0.0 and dy == 0.0:
         return obstacle
-    (ax, ay), (bx, by) = obstacle.start, obstacle.end
-    return Segment((ax + dx, ay + dy), (bx + dx, by + dy))
+    match obstacle:
+        case Segment(start=(ax, ay), end=(bx, by)):
+            return Segment((ax + dx, ay + dy), (bx + dx, by + dy))
+        case Post(center=(x, y), radius=radius, direction=direction):
+            return Post((x + dx, y + dy), radius, direction)
+        case Block():
+            return obstacle
 
 
 def box(enclosure: Surroundings, container: Rectangle) -> tuple[float, float, float, float]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from gasbox.errors import Problem
 from gasbox.geometry import Rectangle, side_names
 from gasbox.scenario.motions import ConstantMotion, Motion, PathMotion, PistonMotion
-from gasbox.scenario.obstacles import SegmentObstacle
+from gasbox.scenario.obstacles import PostObstacle, SegmentObstacle
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.problems import near, short
 from gasbox.scenario.walls import Passes, Surface
@@ -122,12 +122,29 @@ def _motion(path: str, motion: Motion | None) -> Iterator[Problem]:
 
 def _movable(parts: Parts) -> Iterator[Problem]:
     """Motions of walls that cannot move."""
-    allowed = "only sides of a rectangle and segments can move"
+    allowed = "only sides of a rectangle, segments, and discs with a direction can move"
     if parts.container is not None and not isinstance(parts.container.geometry(), Rectangle):
         for side, settings in parts.walls.items():
             if settings is not None and settings.motion is not None:
                 shape = f"a side of a {parts.container.shape}"
                 yield Problem(f"walls.{short(side, bare=True)}.motion", shape, allowed)
     for number, obstacle in enumerate(parts.obstacles):
-        if obstacle is not None and obstacle.motion is not None and not isinstance(obstacle, SegmentObstacle):
-            yield Problem(f"obstacles[{number}].motion", f"an obstacle of shape {obstacle.shape}", allowed)
+        path = f"obstacles[{number}]"
+        if isinstance(obstacle, PostObstacle) and obstacle.direction is not None:
+            yield from _post(path, obstacle, parts)
+        elif (
+            obstacle is not None and obstacle.motion is not None and not isinstance(obstacle, SegmentObstacle)
+        ):
+            yield Problem(f"{path}.motion", f"an obstacle of shape {obstacle.shape}", allowed)
+
+
+def _post(path: str, post: PostObstacle, parts: Parts) -> Iterator[Problem]:
+    """What is wrong with a disc that can move."""
+    if post.direction == (0.0, 0.0):
+        yield Problem(f"{path}.direction", "[0, 0]", "must point somewhere, as [0, 1]")
+    if isinstance(post.motion, PistonMotion):
+        yield Problem(f"{path}.motion", "a disc as a piston", "only sides of a rectangle and segments are free")
+    shape = parts.container.geometry() if parts.container is not None else None
+    if isinstance(shape, Rectangle) and (shape.periodic_x or shape.periodic_y):
+        allowed = "only in a container without periodic directions: a wall that moves has no images"
+        yield Problem(f"{path}.direction", "a periodic container", allowed)

@@ -52,7 +52,7 @@ class Surface(Section):
     passes: Annotated[Passes | None, BeforeValidator(_written_out)] = None
     """Who passes: "all" (a line that only counts), a list of names of species (a membrane), or an object (a gate)."""
     motion: Annotated[Motion | None, Field()] = None
-    """How it moves; only sides of a rectangle and segments can."""
+    """How it moves; only sides of a rectangle, segments, and discs with a direction can."""
 
     def wall(self, name: str, names: Sequence[str], present: bool = True) -> Wall:
         """As engines take it; `names` of all species."""
