@@ -260,9 +260,10 @@ def table(generation: int, geometry: Geometry, scenario: Scenario, *, handles: b
             for kind, size in zip(scenario.kinds, sizes_of(scenario), strict=True)
         ],
         **bodies(scenario),
+        world=None if scenario.world is None else scenario.world.kind,
     )
 
 
 def notice(kind: str, **fields: Any) -> str:
-    """A text message of any kind: ``table``, ``preparing``, ``busy``, ``gone``, ``trouble``."""
+    """A text message of any kind: ``table``, ``world``, ``preparing``, ``busy``, ``gone``, ``trouble``."""
     return json.dumps({"kind": kind, **fields}, separators=(",", ":"))

@@ -233,7 +233,7 @@ class Session:
         return self._show.followed
 
     def change(self, change: Change) -> Future[None]:
-        """Change gravity or a wall, between two beats; what cannot be done comes out of the future."""
+        """Change gravity, a wall or a setting, between two beats; what cannot be done comes out of the future."""
         return self._order(lambda: self._show.change(change))
 
     def drag(self, wall: int, displacement: float) -> None:

@@ -6,7 +6,7 @@ import contextlib
 import logging
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from gasbox.app import picture, protocol, reins
 from gasbox.app.audience import Audience
@@ -70,6 +70,7 @@ class Show:
         self._generation = 0
         self._geometry: Geometry | None = None
         self._shading = Shading()
+        self._view: dict[str, Any] = {}
 
     @property
     def simulation(self) -> Simulation:
@@ -132,7 +133,7 @@ class Show:
         self.changed()
 
     def change(self, change: Change) -> None:
-        """Change gravity or a wall, and show it.
+        """Change gravity, a wall or a setting, and show it.
 
         Raises
         ------
@@ -189,6 +190,7 @@ class Show:
                 self._audience.tell(protocol.notice("trouble", text=self.trouble))
             return
         self._lay_table(self._motion.simulation)
+        self._view = {}
         self.publish()
 
     def _lay_table(self, simulation: Simulation) -> None:
@@ -204,6 +206,7 @@ class Show:
         simulation = motion.simulation
         if simulation.geometry is not self._geometry:  # by a change, or by the scenario's schedule
             self._lay_table(simulation)
+        self._tell_of_world(simulation)
         self.followed, _ = picture.find(simulation, wishes.followed_id)
         if sample:
             self.sample_wanted = False
@@ -223,8 +226,16 @@ class Show:
                 )
             )
 
+    def _tell_of_world(self, simulation: Simulation) -> None:
+        """What there is to show of the world beside its particles, if it has changed."""
+        view = {} if simulation.world is None else simulation.world.view()
+        if view != self._view:
+            self._view = view
+            self._audience.tell(protocol.notice("world", view=view))
+
     def _copy(self, motion: Motion) -> Sample:
         simulation = motion.simulation
+        world = simulation.world
         return Sample(
             version=self.version,
             scenario=simulation.scenario,
@@ -240,4 +251,6 @@ class Show:
             warnings=tuple(simulation.warnings),
             changes=tuple(simulation.changes),
             frame_interval=simulation.frame_interval,
+            world={} if world is None else world.view(),
+            series={} if world is None else world.series(),
         )

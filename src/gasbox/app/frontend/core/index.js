@@ -6,7 +6,7 @@ import { Message } from "./message.js";
 import { grown, reach } from "./outline.js";
 import { Trail, drawOverlay } from "./overlay.js";
 import { chooseRenderer } from "./probe.js";
-import { decodeFrame, decodeTable, encodeDrag, encodeDrop, encodePoint } from "./protocol.js";
+import { decodeFrame, decodeTable, encodeDrag, encodeDrop, encodePoint, encodeSetting } from "./protocol.js";
 import { palettes } from "./shades.js";
 import { FrameSocket } from "./socket.js";
 import { Stats } from "./stats.js";
@@ -14,6 +14,7 @@ import { installStyle, readTheme, watchTheme } from "./theme.js";
 import { Tip } from "./tip.js";
 import { View } from "./view.js";
 import { GlRenderer } from "./webgl2.js";
+import { WorldOverlay } from "./world.js";
 
 export { decodeFrame, decodeTable };
 
@@ -57,6 +58,7 @@ class Lab {
       send: (wall, displacement) => this.socket.send(encodeDrag(wall, displacement)),
       drop: (wall) => this.socket.send(encodeDrop(wall)),
     });
+    this.world = new WorldOverlay(this, (name, value) => this.socket.send(encodeSetting(name, value)));
     this.gestures = new Gestures(element, this.view, this.handles, {
       onView: () => this.schedule(),
       onPick: (px, py) => this.picked(px, py),
@@ -119,6 +121,9 @@ class Lab {
     if (message.kind === "table") {
       this.settle(decodeTable(message));
       this.stats.connected = true;
+    } else if (message.kind === "world") {
+      this.world.hear(message.view);
+      return;
     } else if (message.kind === "lost") {
       this.stats.connected = false;
     }
@@ -135,6 +140,7 @@ class Lab {
       this.frame = this.pointed = null;
       this.trail.forget();
     }
+    this.world.settle(table.world);
     this.show(same ? room.map((end, k) => (k < 2 ? Math.min : Math.max)(end, this.view.room[k])) : room);
     this.mixColors();
   }
@@ -190,6 +196,7 @@ class Lab {
     const scene = this.scene();
     this.renderer.draw(scene);
     drawOverlay(this.renderer.overlay, scene);
+    this.world.draw(this.renderer.overlay, scene);
     this.tip.show(scene);
   }
 
@@ -225,6 +232,7 @@ class Lab {
     cancelAnimationFrame(this.ticket);
     this.socket.close();
     this.gestures.destroy();
+    this.world.destroy();
     this.sizer.disconnect();
     this.unwatch();
     this.renderer.destroy();
