@@ -18,6 +18,7 @@ from gasbox.scenario import (
     EventDriven,
     Forced,
     Forces,
+    Pong,
     Scenario,
     Snapshot,
     Stepped,
@@ -25,7 +26,7 @@ from gasbox.scenario import (
     starting_temperature,
 )
 from gasbox.state import Change, Contacts, Memory, MoveWall, SetGravity, SetWall, State, Tallies
-from gasbox.worlds import Replies
+from gasbox.worlds import PongGame, Replies
 
 __all__ = ["Parts", "build"]
 
@@ -116,6 +117,8 @@ def _world(scenario: Scenario) -> World | None:
     match scenario.world:
         case None:
             return None
+        case Pong():
+            return PongGame(scenario)
     raise ScenarioError([Problem("world", scenario.world.kind, "a world that is there")])
 
 

@@ -33,6 +33,8 @@ class Stream(IntEnum):
     """How molecules are turned at the start."""
     LANGEVIN_SPIN = 9
     """Kicks of the Langevin thermostat on rotation."""
+    PONG = 20
+    """How balls are served, and how the computer errs."""
 
 
 def generator(seed: int, stream: Stream, index: int = 0) -> np.random.Generator:

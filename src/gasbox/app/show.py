@@ -69,6 +69,7 @@ class Show:
         self._motion: Motion | None = None
         self._generation = 0
         self._geometry: Geometry | None = None
+        self._table = ""
         self._shading = Shading()
         self._view: dict[str, Any] = {}
 
@@ -196,7 +197,14 @@ class Show:
     def _lay_table(self, simulation: Simulation) -> None:
         self._generation += 1
         self._geometry = simulation.geometry
-        self._audience.tell(picture.table(simulation, self._generation), stale=True)
+        self._table = picture.table(simulation, self._generation)
+        self._audience.tell(self._table, stale=True)
+
+    def _see_geometry(self, simulation: Simulation) -> None:
+        """Lay another table if the one that was laid no longer holds; a wall that turns round changes nothing in it."""
+        self._geometry = simulation.geometry
+        if picture.table(simulation, self._generation) != self._table:
+            self._lay_table(simulation)
 
     def publish(self, *, sample: bool = True) -> None:
         """A frame for the browser, and a copy for the charts."""
@@ -204,8 +212,8 @@ class Show:
         if motion is None:
             return
         simulation = motion.simulation
-        if simulation.geometry is not self._geometry:  # by a change, or by the scenario's schedule
-            self._lay_table(simulation)
+        if simulation.geometry is not self._geometry:  # by a change, by the scenario's schedule, or by a world
+            self._see_geometry(simulation)
         self._tell_of_world(simulation)
         self.followed, _ = picture.find(simulation, wishes.followed_id)
         if sample:

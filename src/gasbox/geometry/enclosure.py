@@ -147,7 +147,9 @@ class Enclosure:
     @property
     def area(self) -> float:
         """Whole area, without that of blocks and posts [length²]."""
-        return region.area(self)
+        # The way in which a wall moves makes no difference to it, and there is a new one with each change.
+        still = tuple(replace(wall, motion=None) for wall in self.walls) if self.moves else self.walls
+        return region.area(replace(self, walls=still) if self.moves else self)
 
     def accessible_area(self, radius: float) -> float:
         """Area [length²] that centres of discs of this radius can reach."""

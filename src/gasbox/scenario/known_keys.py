@@ -12,6 +12,7 @@ from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.molecules import Atom, Bend, Bond, Molecule
 from gasbox.scenario.motions import ConstantMotion, PathMotion, PistonMotion, SinusoidMotion
 from gasbox.scenario.obstacles import STANDING
+from gasbox.scenario.pong import Players
 from gasbox.scenario.problems import KnownKeys
 from gasbox.scenario.schedule import ScheduledChange
 from gasbox.scenario.snapshot import Snapshot
@@ -59,6 +60,7 @@ KNOWN_KEYS: Final[KnownKeys] = {
     ("barostat",): keys_of(Barostat),
     ("heating",): keys_of(Heating),
     ("world",): keys_of(*WORLDS.values()),
+    ("world", "players"): keys_of(Players),
     ("units",): keys_of(Units),
     ("histograms",): keys_of(Histograms),
     ("snapshot",): keys_of(Snapshot),

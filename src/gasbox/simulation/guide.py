@@ -73,19 +73,20 @@ class Guide:
         return {**mine, f"{_PREFIX}turn": self._turn, **self._replies.memory()}
 
     def _follow(self, replies: Sequence[Reply]) -> None:
-        moved = False
+        changed = crowded = False
         for reply in replies:
             match reply:
                 case SetGravity() | SetWall() | MoveWall():
                     change = self._simulation.surround(reply)
                     self._replies.note(self._simulation.time, change)
                 case SetParticles():
-                    moved |= self._set(reply)
+                    changed |= self._set(reply)
+                    crowded |= reply.position is not None or reply.species is not None
                 case RemoveParticles(ids=ids):
                     self._simulation.state.keep(~np.isin(self._simulation.state.id, ids))
-                    moved = True
-        if moved:
-            self._take_over()
+                    changed = True
+        if changed:
+            self._take_over(crowded)
 
     def _set(self, change: SetParticles) -> bool:
         """Write what has changed into the state; whether it was anything."""
@@ -109,11 +110,11 @@ class Guide:
             raise UsageError("the world has changed particles that are not there")
         return rows
 
-    def _take_over(self) -> None:
-        """Let the dynamics go on from the state as it is now; hard discs must not overlap in it."""
+    def _take_over(self, crowded: bool) -> None:
+        """Let the dynamics go on from the state as it is now; hard discs must not overlap in it (`crowded`: may do)."""
         simulation, state = self._simulation, self._simulation.state
         state.turn_sites()
-        if isinstance(simulation.scenario.dynamics, EventDriven):
+        if crowded and isinstance(simulation.scenario.dynamics, EventDriven):
             here = simulation.geometry.at(state.wall_displacement)
             if worst_overlap(state, here) is not None:
                 separate(state, here)
