@@ -5,5 +5,6 @@
 //   key(event, down) and pointer(x, y, event): whether it was for the world; x, y in the box [length]
 //   destroy()
 // All but the constructor and `draw` may be left out.
+import { PongWorld } from "./pong.js";
 
-export const WORLDS = {};
+export const WORLDS = { pong: PongWorld };
