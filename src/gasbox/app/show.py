@@ -212,7 +212,9 @@ class Show:
         if motion is None:
             return
         simulation = motion.simulation
-        if simulation.geometry is not self._geometry:  # by a change, by the scenario's schedule, or by a world
+        if (
+            simulation.geometry is not self._geometry
+        ):  # by a change, by the scenario's schedule, or by a world
             self._see_geometry(simulation)
         self._tell_of_world(simulation)
         self.followed, _ = picture.find(simulation, wishes.followed_id)

@@ -143,7 +143,9 @@ def _post(path: str, post: PostObstacle, parts: Parts) -> Iterator[Problem]:
     if post.direction == (0.0, 0.0):
         yield Problem(f"{path}.direction", "[0, 0]", "must point somewhere, as [0, 1]")
     if isinstance(post.motion, PistonMotion):
-        yield Problem(f"{path}.motion", "a disc as a piston", "only sides of a rectangle and segments are free")
+        yield Problem(
+            f"{path}.motion", "a disc as a piston", "only sides of a rectangle and segments are free"
+        )
     shape = parts.container.geometry() if parts.container is not None else None
     if isinstance(shape, Rectangle) and (shape.periodic_x or shape.periodic_y):
         allowed = "only in a container without periodic directions: a wall that moves has no images"

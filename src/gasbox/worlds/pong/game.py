@@ -9,17 +9,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.errors import UsageError
 from gasbox.geometry import Enclosure, Geometry
 from gasbox.rng import Stream, generator
 from gasbox.scenario import EventDriven, Pong, Scenario
 from gasbox.state import ContactKind, Contacts, Memory, RemoveParticles, Reply, SetParticles, SetWorld, State
-from gasbox.worlds.pong import notes
+from gasbox.worlds.pong import notes, wishes
 from gasbox.worlds.pong.bat import Bat
 from gasbox.worlds.pong.meetings import Meetings
 from gasbox.worlds.pong.player import SKILLS, choice
 from gasbox.worlds.pong.score import NOBODY, OVER, PLAY, SERVE, Score
-from gasbox.worlds.pong.table import LEFT, RIGHT, SIDES, table_of
+from gasbox.worlds.pong.table import LEFT, RIGHT, table_of
 
 __all__ = ["PongGame"]
 
@@ -54,7 +53,7 @@ class PongGame:
         # Between two frames, so that what was asked for at the last one is seen at the next one.
         self.interval = 0.5 * self.frame if isinstance(scenario.dynamics, EventDriven) else self.frame
         self.bats = [Bat(side) for side in self.table.sides]
-        self.players: list[str] = [game.players.left, game.players.right][: len(self.bats)]
+        self.players = [str(player) for player in (game.players.left, game.players.right)][: len(self.bats)]
         self.points, self.ball_speed, self.paddle_speed = game.points, game.ball_speed, game.paddle_speed
         self.score, self.met = Score(), Meetings()
         self.looks = [0.0] * len(self.bats)
@@ -208,8 +207,8 @@ class PongGame:
     def _set(
         self, position: NDArray[np.float64] | None = None, velocity: NDArray[np.float64] | None = None
     ) -> SetParticles:
-        rows = [None if one is None else one.reshape(1, 2) for one in (position, velocity)]
-        return SetParticles(np.array([self.met.ball]), *rows)
+        place, way = (None if one is None else one.reshape(1, 2) for one in (position, velocity))
+        return SetParticles(np.array([self.met.ball]), place, way)
 
     def _restart(self, time: float) -> None:
         self.score = Score(
@@ -252,7 +251,7 @@ class PongGame:
             if math.isnan(bat.target) or abs(found - bat.target) > _FIRM * bat.side.half:
                 bat.target = found
 
-    # -- settings --------------------------------------------------------------------------------------
+    # -- settings, what is remembered, and what is shown ------------------------------------------------
 
     def take(self, change: SetWorld) -> None:
         """Give a setting another value.
@@ -262,38 +261,7 @@ class PongGame:
         UsageError
             There is no such setting, or it cannot have this value.
         """
-        name, value = change.name, change.value
-        if name not in Pong.SETTINGS:
-            raise UsageError(f"pong has no setting {name!r}; there are {', '.join(Pong.SETTINGS)}")
-        try:
-            Pong.SETTINGS[name].check(value)
-        except ValueError as error:
-            raise UsageError(f"{name}: {error}") from None
-        side, _, what = name.partition("_")
-        if side in SIDES:
-            self._tell(SIDES.index(side), side, what, value)
-        elif name in self.asked:
-            self.asked[name] = bool(value)
-        elif name == "points":
-            self.points = round(float(value))
-        else:
-            setattr(self, name, float(value))
-
-    def _tell(self, number: int, side: str, what: str, value: float | str | bool) -> None:
-        """Who plays on a side, or where a bat is to go."""
-        if number >= len(self.bats):
-            raise UsageError(f"nobody plays on the {side}: there is no bat")
-        bat = self.bats[number]
-        if not what:
-            self.players[number] = str(value)
-            bat.rest()
-            self.looks[number] = 0.0
-        elif self.players[number] == "human" and what == "push":
-            bat.push, bat.target = round(float(value)), math.nan
-        elif self.players[number] == "human":
-            bat.target, bat.push = float(value), 0
-
-    # -- what is remembered, and what is shown ---------------------------------------------------------
+        wishes.take(self, change)
 
     def memory(self) -> Memory:
         """All that must be kept to go on with the same bits."""

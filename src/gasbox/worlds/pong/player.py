@@ -20,8 +20,8 @@ class Skill:
     Attributes
     ----------
     pause : from one look at the ball to the next, in flights from one end of the table to the other
-    error : standard deviation of where it expects a ball that is near, in half heights of the bat; it errs twice as much
-        about one at the other end
+    error : standard deviation of where it expects a ball that is near, in half heights of the bat; it errs
+        twice as much about one at the other end
     pace : of the greatest speed of a bat
     aim : how far from its middle it likes to hit the ball, in half heights, so that the ball flies off at an angle
     returns : whether it goes to the middle while the ball flies away
