@@ -25,7 +25,18 @@ from gasbox.scenario import (
     pair_laws,
     starting_temperature,
 )
-from gasbox.state import Change, Contacts, Memory, MoveWall, SetGravity, SetWall, State, Tallies
+from gasbox.state import (
+    Change,
+    Contacts,
+    Memory,
+    MoveWall,
+    SetGate,
+    SetGravity,
+    SetWall,
+    State,
+    Surrounding,
+    Tallies,
+)
 from gasbox.worlds import PongGame, Replies
 
 __all__ = ["Parts", "build"]
@@ -63,7 +74,7 @@ def build(scenario: Scenario, threads: int | None = None, world: World | None = 
     world = world if world is not None else _world(scenario)
     geometry = start
     for time, change in sorted([*changes, *_replies(scenario, start)], key=lambda entry: entry[0]):
-        if isinstance(change, SetGravity | SetWall | MoveWall):
+        if isinstance(change, SetGravity | SetWall | MoveWall | SetGate):
             geometry = rules.altered(geometry, time, change, start)
     state = populate(scenario)
     warnings: list[str] = []
@@ -105,7 +116,7 @@ def _changes(scenario: Scenario) -> list[tuple[float, Change]]:
     return [(entry.at, entry.change()) for entry in scenario.snapshot.changes]
 
 
-def _replies(scenario: Scenario, geometry: Geometry) -> list[tuple[float, SetGravity | SetWall | MoveWall]]:
+def _replies(scenario: Scenario, geometry: Geometry) -> list[tuple[float, Surrounding]]:
     """What the world had made of gravity and walls until the snapshot that the scenario is."""
     if scenario.snapshot is None:
         return []

@@ -75,8 +75,8 @@ def _wall(enclosure: Enclosure, number: int, handles: bool) -> dict[str, Any]:
         "motion": None,
         "present": wall.present,
     }
-    if wall.passes is not None and wall.passes.direction != "both":
-        shown["way"] = wall.passes.direction
+    if wall.passes is not None and wall.passes.ways.count(None) == 1:
+        shown["way"] = "forward" if wall.passes.ways[0] else "backward"
     if _is_moving_post(enclosure, number):
         # The same whether it moves just now or not, so that the table need not be told again and again.
         return {**shown, "motion": "driven", "normal": list(enclosure.normal(number))}

@@ -17,7 +17,7 @@ from shapely.geometry.base import BaseGeometry
 from gasbox.geometry.elements import Element, side_count
 from gasbox.geometry.rectangle import Rectangle
 from gasbox.geometry.shapes import Block, Circle, Obstacle, Point, Polygon, Post, Segment
-from gasbox.geometry.wall import Passage, Wall
+from gasbox.geometry.wall import Wall, lets_everybody_pass
 
 __all__ = [
     "QUADRANT",
@@ -98,7 +98,7 @@ class Solid:
 
 def blocks(wall: Wall) -> bool:
     """Whether a wall stands in the way of anybody: it is there, and not a line that all pass."""
-    return wall.present and wall.passes != Passage()
+    return wall.present and not lets_everybody_pass(wall.passes)
 
 
 def reach(wall: Wall, radius: float) -> float:

@@ -19,7 +19,7 @@ from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Region, Species
 from gasbox.scenario.units import Units
 from gasbox.scenario.values import Section
-from gasbox.scenario.walls import Passes, WallSettings
+from gasbox.scenario.walls import Passes, WallSettings, Way
 from gasbox.scenario.world import WORLDS
 
 __all__ = ["KNOWN_KEYS", "keys_of"]
@@ -37,9 +37,13 @@ KNOWN_KEYS: Final[KnownKeys] = {
     ("container",): keys_of(*SHAPES.values()),
     ("walls",): keys_of(WallSettings),
     ("walls", "passes"): keys_of(Passes),
+    ("walls", "passes", "forward"): keys_of(Way),
+    ("walls", "passes", "backward"): keys_of(Way),
     ("walls", "motion"): _MOTION_KEYS,
     ("obstacles",): keys_of(*STANDING.values()),
     ("obstacles", "passes"): keys_of(Passes),
+    ("obstacles", "passes", "forward"): keys_of(Way),
+    ("obstacles", "passes", "backward"): keys_of(Way),
     ("obstacles", "motion"): _MOTION_KEYS,
     ("schedule",): keys_of(ScheduledChange),
     ("schedule", "thermostat"): keys_of(ThermostatAim),

@@ -13,7 +13,7 @@ from gasbox.errors import UsageError
 from gasbox.initial import separate, worst_overlap
 from gasbox.protocols import World
 from gasbox.scenario import EventDriven
-from gasbox.state import Memory, MoveWall, RemoveParticles, Reply, SetGravity, SetParticles, SetWall
+from gasbox.state import Memory, MoveWall, RemoveParticles, Reply, SetGate, SetGravity, SetParticles, SetWall
 from gasbox.worlds import Replies
 
 if TYPE_CHECKING:
@@ -76,8 +76,9 @@ class Guide:
         changed = crowded = False
         for reply in replies:
             match reply:
-                case SetGravity() | SetWall() | MoveWall():
-                    change = self._simulation.surround(reply)
+                case SetGravity() | SetWall() | MoveWall() | SetGate():
+                    change = self._simulation.from_here(reply) if isinstance(reply, MoveWall) else reply
+                    self._simulation.surround(change)
                     self._replies.note(self._simulation.time, change)
                 case SetParticles():
                     changed |= self._set(reply)

@@ -8,12 +8,15 @@ from gasbox.state.change import (
     RemoveParticles,
     Reply,
     SetBarostat,
+    SetGate,
     SetGravity,
     SetHeating,
     SetParticles,
     SetThermostat,
     SetWall,
     SetWorld,
+    Surrounding,
+    Way,
 )
 from gasbox.state.contacts import ContactKind, Contacts
 from gasbox.state.fields import FIELDS, ROTATION, Field
@@ -37,6 +40,7 @@ __all__ = [
     "RemoveParticles",
     "Reply",
     "SetBarostat",
+    "SetGate",
     "SetGravity",
     "SetHeating",
     "SetParticles",
@@ -45,5 +49,7 @@ __all__ = [
     "SetWorld",
     "Sites",
     "State",
+    "Surrounding",
     "Tallies",
+    "Way",
 ]
