@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from gasbox import dynamics as rules
-from gasbox import worlds
 from gasbox.errors import Problem, ScenarioError
 from gasbox.geometry import Enclosure, Geometry
 from gasbox.initial import Overlap, populate, recall_walls, separate, worst_overlap
@@ -20,15 +19,27 @@ from gasbox.scenario import (
     EventDriven,
     Forced,
     Forces,
+    Pong,
     Scenario,
     Snapshot,
     Stepped,
     Walk,
     pair_laws,
-    places_of,
     starting_temperature,
 )
-from gasbox.state import Change, Contacts, Memory, MoveWall, SetGravity, SetWall, State, Tallies
+from gasbox.state import (
+    Change,
+    Contacts,
+    Memory,
+    MoveWall,
+    SetGate,
+    SetGravity,
+    SetWall,
+    State,
+    Surrounding,
+    Tallies,
+)
+from gasbox.worlds import Outbreak, PongGame, Replies
 
 __all__ = ["Parts", "build"]
 
@@ -65,7 +76,7 @@ def build(scenario: Scenario, threads: int | None = None, world: World | None = 
     world = world if world is not None else _world(scenario)
     geometry = start
     for time, change in sorted([*changes, *_replies(scenario, start)], key=lambda entry: entry[0]):
-        if isinstance(change, SetGravity | SetWall | MoveWall):
+        if isinstance(change, SetGravity | SetWall | MoveWall | SetGate):
             geometry = rules.altered(geometry, time, change, start)
     state = populate(scenario)
     warnings: list[str] = []
@@ -107,11 +118,11 @@ def _changes(scenario: Scenario) -> list[tuple[float, Change]]:
     return [(entry.at, entry.change()) for entry in scenario.snapshot.changes]
 
 
-def _replies(scenario: Scenario, geometry: Geometry) -> list[tuple[float, SetGravity | SetWall | MoveWall]]:
+def _replies(scenario: Scenario, geometry: Geometry) -> list[tuple[float, Surrounding]]:
     """What the world had made of gravity and walls until the snapshot that the scenario is."""
     if scenario.snapshot is None:
         return []
-    return worlds.Replies.recalled(scenario.snapshot.memory, geometry.wall_names).entries()
+    return Replies.recalled(scenario.snapshot.memory, geometry.wall_names).entries()
 
 
 def _world(scenario: Scenario) -> World | None:
@@ -119,8 +130,10 @@ def _world(scenario: Scenario) -> World | None:
     match scenario.world:
         case None:
             return None
+        case Pong():
+            return PongGame(scenario)
         case Epidemic():
-            return worlds.Epidemic(scenario)
+            return Outbreak(scenario)
     raise ScenarioError([Problem("world", scenario.world.kind, "a world that is there")])
 
 
@@ -156,8 +169,8 @@ def _dynamics(
             settings = _forced_settings(scenario, state)
             return rules.Forced(state, geometry, settings, tallies, contacts, memory, threads, scenario.seed)
         case Walk():
-            settings_of_walk = _walk_settings(scenario)
-            return rules.Walk(state, geometry, settings_of_walk, tallies, contacts, memory, scenario.seed)
+            way = rules.walk_settings(scenario)
+            return rules.Walk(state, geometry, way, tallies, contacts, memory, scenario.seed)
 
 
 def _calm(state: State, geometry: Geometry, scenario: Scenario) -> list[str]:
@@ -199,21 +212,6 @@ def _forced_settings(scenario: Scenario, state: State) -> rules.ForcedSettings:
         scenario.barostat,
         scenario.heating,
         scenario.kinds,
-    )
-
-
-def _walk_settings(scenario: Scenario) -> rules.WalkSettings:
-    """How people walk, and where."""
-    walk, places = scenario.dynamics, places_of(scenario)
-    assert isinstance(walk, Walk)
-    return rules.WalkSettings(
-        walk.time_step,
-        walk.speed,
-        walk.turning,
-        walk.hurry,
-        walk.reach,
-        places.table,
-        places.rooms.shape[0],
     )
 
 

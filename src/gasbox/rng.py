@@ -37,6 +37,8 @@ class Stream(IntEnum):
     """By how much walkers turn in a step; drawn in `gasbox.kernels.walk.advance`."""
     WALK_START = 16
     """Where walkers start who stand in no room, and in which direction."""
+    PONG = 20
+    """How balls are served, and how the computer errs."""
     INFECTION = 21
     """Who is infected in a step, and by whom; this and those up to 25 are drawn in `gasbox.kernels.epidemic`."""
     CONTACT = 22

@@ -148,6 +148,7 @@ def test_the_table_says_what_does_not_change() -> None:
     assert message == {
         "kind": "table",
         "generation": 3,
+        "world": None,
         "container": {"shape": "rectangle", "width": 60.0, "height": 40.0, "periodic": [True, False]},
         "walls": [{"name": name, **plain} for name in ("left", "right", "bottom", "top")],
         "obstacles": [],

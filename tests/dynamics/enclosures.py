@@ -83,6 +83,14 @@ ACTIVE = {
     "moving bar": enclosure(
         BOX, (Segment((6.0, 3.0), (8.0, 9.0)),), o0={"motion": Path((0.0, 10.0), (0.0, 2.0), (0.2, -0.1))}
     ),
+    "moving post": enclosure(
+        BOX,
+        (Post((5.0, 4.0), 1.5, (0.0, 1.0)),),
+        o0={"motion": Path((0.0, 8.0, 14.0), (0.0, 4.0, 1.0), (0.5, -0.5, 0.1))},
+    ),
+    "swinging cap": enclosure(
+        BOX, (Post((-3.0, 6.0), 5.0, (0.0, 1.0)),), DOWN, o0={"motion": Sinusoid(1.5, 15.0)}
+    ),
     "lid": enclosure(BOX, gravity=(0.0, -0.05), top={"motion": Piston(10.0, 0.3)}),
     "two chambers": enclosure(BOX, (DIVIDER,), o0={"motion": Piston(5.0)}),
     "membrane": enclosure(BOX, (DIVIDER,), o0={"passes": Passage((1,))}),

@@ -6,6 +6,7 @@ import itertools
 import math
 
 import numpy as np
+from circles_twin import enter, leave
 from twins import SteppedTwin
 
 from gasbox.dynamics.halls import start_walls
@@ -147,39 +148,26 @@ class SteppedHallTwin(SteppedTwin):
         within = element.low - beyond <= foot <= element.high + beyond
         return (part if within else math.inf), a, b, face
 
-    def enter(self, d, a, reach):
-        c = a[0] * a[0] + a[1] * a[1] - reach * reach
-        if c <= 0.0:
-            return 0.0
-        b, square = a[0] * d[0] + a[1] * d[1], d[0] * d[0] + d[1] * d[1]
-        inside = b * b - square * c
-        if b >= 0.0 or inside <= 0.0:
-            return math.inf
-        part = c / (math.sqrt(inside) - b)
-        return part if part <= 1.0 else math.inf
-
-    def leave(self, d, a, room):
-        c = room * room - a[0] * a[0] - a[1] * a[1]
-        b, square = a[0] * d[0] + a[1] * d[1], d[0] * d[0] + d[1] * d[1]
-        inside = b * b + square * c
-        if square == 0.0 or inside <= 0.0 or (c <= 0.0 and b >= 0.0):
-            return 0.0
-        root = math.sqrt(inside)
-        return min(c / (b + root) if b > 0.0 else (root - b) / square, 1.0)
-
     def crossing(self, element, sx, sy, begin, end, r, before):
         if element.kind == SIDE:
             return self.line(element, sx, sy, begin, end, 1e-9 * r, 1e-9, before)[0]
         px, py = element.place[0] + sx, element.place[1] + sy
-        a, d = (begin[0] - px, begin[1] - py), (end[0] - begin[0], end[1] - begin[1])
         if element.kind == CORNER:
+            a, d = self.to_post(element, (px, py), begin, end, before)
             if element.radius == 0.0 or a[0] ** 2 + a[1] ** 2 <= element.radius * element.radius:
                 return math.inf
-            return self.enter(d, a, element.radius)
+            return enter(d, a, element.radius)
+        a, d = (begin[0] - px, begin[1] - py), (end[0] - begin[0], end[1] - begin[1])
         most = element.radius - 1e-9 * r
         if (end[0] - px) ** 2 + (end[1] - py) ** 2 < most * most:
             return math.inf
-        return self.leave(d, a, element.radius)
+        return leave(d, a, element.radius)
+
+    def to_post(self, element, place, begin, end, before):
+        """Begin of a way as seen from a post, and how far it leads as seen from there."""
+        number, normal = element.wall, np.array(element.normal)
+        moved = self.after[number] - before[number]
+        return begin - (np.array(place) + before[number] * normal), end - begin - moved * normal
 
     def first_crossing(self, i, begin, end, before):
         best = (math.inf, None)
@@ -212,11 +200,14 @@ class SteppedHallTwin(SteppedTwin):
             return begin + part * (end - begin) + carried * normal, face * normal
         center = np.array((element.place[0] + sx, element.place[1] + sy))
         if element.kind == CORNER:
-            part, sign = self.enter(end - begin, begin - center, element.radius + r), 1.0
+            a, d = self.to_post(element, center, begin, end, self.before)
+            part, sign = enter(d, a, element.radius + r), 1.0
         else:
-            part, sign = self.leave(end - begin, begin - center, element.radius - r), -1.0
-        put = begin + part * (end - begin)
-        away = put - center
+            part, sign = leave(end - begin, begin - center, element.radius - r), -1.0
+        number, normal = element.wall, np.array(element.normal)
+        carried = (self.after[number] - self.before[number]) * (1.0 - part)
+        put = begin + part * (end - begin) + carried * normal
+        away = put - (center + self.after[number] * normal)
         return put, sign * away / math.sqrt(away[0] ** 2 + away[1] ** 2)
 
     def overlap(self, i, element, sx, sy):

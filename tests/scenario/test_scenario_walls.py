@@ -1,8 +1,11 @@
 """Rules on containers, obstacles, walls, motions and schedules: what is refused, and where it says so."""
 
+import json
+
 import pytest
 
 from gasbox.errors import ScenarioError
+from gasbox.geometry import Gate, Passage
 from gasbox.scenario import parse
 
 pytestmark = pytest.mark.small
@@ -47,6 +50,14 @@ def moving(**motion):
         ({"obstacles": [DIVIDER, DIVIDER]}, "obstacles[1].name"),
         ({"obstacles": [{**DIVIDER, "passes": ["b"]}]}, "obstacles[0].passes.species"),
         ({"walls": {"left": {"passes": "all"}}}, "walls.left.passes"),
+        ({"obstacles": [{**DIVIDER, "passes": {"forward": {"species": ["b"]}}}]},
+         "obstacles[0].passes.forward.species"),
+        ({"obstacles": [{**DIVIDER, "passes": {"backward": {"least_speed": 2, "greatest_speed": 1}}}]},
+         "obstacles[0].passes.backward.least_speed"),
+        ({"obstacles": [{**DIVIDER, "passes": {"backward": {"direction": "forward"}}}]},
+         "obstacles[0].passes.backward.direction"),
+        ({"obstacles": [{**DIVIDER, "passes": {"forward": {}, "direction": "forward"}}]}, "obstacles[0].passes"),
+        ({"obstacles": [{**DIVIDER, "passes": {"forward": None, "backward": None}}]}, "obstacles[0].passes"),
         (
             {"obstacles": [{**DIVIDER, "passes": {"least_speed": 2, "greatest_speed": 1}}]},
             "obstacles[0].passes.least_speed",
@@ -115,3 +126,17 @@ def test_crowding_says_when():
 def test_what_is_accepted(sections):
     scenario = parse({"container": BOX, "species": [GAS], **sections})
     assert parse(scenario.to_dict()) == scenario
+
+
+def test_a_gate_may_have_a_rule_for_each_direction():
+    gate = {
+        **DIVIDER,
+        "passes": {"forward": {"least_speed": 1.5}, "backward": {"species": ["a"], "greatest_speed": 1.5}},
+    }
+    scenario = parse({"container": BOX, "species": [GAS], "obstacles": [gate]})
+    expected = Gate(Passage(least_speed=1.5), Passage((0,), greatest_speed=1.5))
+    assert scenario.geometry().walls[4].passes == expected
+    assert parse(json.loads(scenario.to_json())).geometry() == scenario.geometry()
+    gate["passes"] = {"backward": {}}
+    one_way = parse({"container": BOX, "species": [GAS], "obstacles": [gate]})
+    assert one_way.geometry().walls[4].passes == Gate(None, Passage())

@@ -75,8 +75,11 @@ def _wall(enclosure: Enclosure, number: int, handles: bool) -> dict[str, Any]:
         "motion": None,
         "present": wall.present,
     }
-    if wall.passes is not None and wall.passes.direction != "both":
-        shown["way"] = wall.passes.direction
+    if wall.passes is not None and wall.passes.ways.count(None) == 1:
+        shown["way"] = "forward" if wall.passes.ways[0] else "backward"
+    if _is_moving_post(enclosure, number):
+        # The same whether it moves just now or not, so that the table need not be told again and again.
+        return {**shown, "motion": "driven", "normal": list(enclosure.normal(number))}
     if wall.motion is not None:
         shown["motion"] = "piston" if isinstance(wall.motion, Piston) else "driven"
         shown["reach"] = list(_reach(wall.motion))
@@ -85,6 +88,15 @@ def _wall(enclosure: Enclosure, number: int, handles: bool) -> dict[str, Any]:
     if wall.motion is not None or handles:
         shown["normal"] = list(enclosure.normal(number))
     return shown
+
+
+def _is_moving_post(enclosure: Enclosure, number: int) -> bool:
+    obstacle = number - side_count(enclosure.container)
+    return (
+        obstacle >= 0
+        and isinstance(enclosure.obstacles[obstacle], Post)
+        and enclosure.normal(number) != (0.0, 0.0)
+    )
 
 
 def _reach(motion: Motion) -> tuple[float, float]:

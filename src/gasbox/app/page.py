@@ -29,6 +29,7 @@ from gasbox.app.studies import Studies
 from gasbox.app.surroundings import Surroundings
 from gasbox.app.transport import Transport
 from gasbox.app.window import SlidingWindow
+from gasbox.app.world_row import WorldRow
 
 __all__ = ["BEAT", "Page", "build"]
 
@@ -67,6 +68,7 @@ class Page:
         self._build_bar()
         self._build_lab()
         self._show_charts = True
+        self._charts_wanted = charts
         if not charts:
             self.toggle_charts()
         self._listen()
@@ -96,6 +98,7 @@ class Page:
                 self.stage = Stage(self.session, self.session.follow)
                 self.surroundings = Surroundings(self.session)
                 self.matter = Matter(self.surroundings.send)
+                self.world = WorldRow(self.session, self.surroundings.send, self._choose_charts)
                 self.transport = Transport(self.session)
                 self.readouts = Readouts(scenario)
             with ui.element("div").classes("charts"):
@@ -106,6 +109,7 @@ class Page:
                     lambda: self.studies,
                     molecules=bool(scenario.molecules),
                 )
+                self.world.build_charts()
                 with ui.element("div").classes("histograms"):
                     self.charts = Charts(scenario.kinds, choice, self._light, self.session.clear_highlight)
                     self.studies = Studies(self.session, self._arrange)
@@ -117,6 +121,8 @@ class Page:
         holds = {key: shortcut.holds for shortcut in SHORTCUTS for key in shortcut.keys if shortcut.holds}
         settings = json.dumps({"keys": keys, "holds": holds, "upload": self.files.upload.id})
         ui.add_css(_ASSETS / "page.css")
+        ui.add_css(_ASSETS / "worlds.css")
+        ui.add_css(_ASSETS / "epidemic.css")
         ui.add_body_html(
             f"<script>window.gasboxPage = {settings};\n{(_ASSETS / 'page.js').read_text()}</script>"
         )
@@ -152,6 +158,7 @@ class Page:
         if sample.version != self._version:
             self._changed(sample)
         self.surroundings.show(sample)
+        self.world.show(sample)
         self.studies.fit(sample)
         self.transport.show_reached(sample.keeping_up or not sample.playing, sample.speed_reached)
         self.caption.follow(self.session.followed(), sample.scenario)
@@ -203,9 +210,15 @@ class Page:
         self.session.highlight(species, low, high, self.charts.choice.quantity)
 
     def toggle_charts(self) -> None:
-        """Show or leave out the histograms."""
+        """Show or leave out the charts."""
         self._show_charts = not self._show_charts
         self._lab.classes(remove="bare") if self._show_charts else self._lab.classes(add="bare")
+
+    def _choose_charts(self, which: str) -> None:
+        """Another world has come, or has gone: which charts are seen at first."""
+        self._lab.classes(add="world-only") if which == "own" else self._lab.classes(remove="world-only")
+        if self._show_charts == (which == "none") and self._charts_wanted:
+            self.toggle_charts()
 
     async def toggle_dark(self) -> None:
         """From light to dark or back; at first the page follows the system."""

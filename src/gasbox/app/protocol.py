@@ -45,7 +45,8 @@ before walls are displaced:
 - ``walls``, in the order of their indices: ``name``; ``line``: solid, dashed (open), dotted (somebody passes);
   ``way``: forward or backward, if they pass one way only; ``temperature`` of a thermal wall or null; ``present``;
   ``motion``: null, driven or piston; ``handle``, if it can be dragged; of those two kinds the ``normal`` along which
-  they move; of one that moves its ``reach``, displacements between which it will be as far as can be told;
+  they move; of one that moves, unless it is a disc, its ``reach``, displacements between which it will be as far as can
+  be told;
 - ``obstacles``: index of the ``wall``, ``shape`` (segment, polygon, disc), and ``start`` and ``end``, ``vertices``, or
   ``center`` and ``radius``;
 - ``gravity`` [x, y];
@@ -259,9 +260,10 @@ def table(generation: int, geometry: Geometry, scenario: Scenario, *, handles: b
             for kind, size in zip(scenario.kinds, sizes_of(scenario), strict=True)
         ],
         **bodies(scenario),
+        world=None if scenario.world is None else scenario.world.kind,
     )
 
 
 def notice(kind: str, **fields: Any) -> str:
-    """A text message of any kind: ``table``, ``preparing``, ``busy``, ``gone``, ``trouble``."""
+    """A text message of any kind: ``table``, ``world``, ``preparing``, ``busy``, ``gone``, ``trouble``."""
     return json.dumps({"kind": kind, **fields}, separators=(",", ":"))

@@ -26,7 +26,7 @@ def movable(geometry: Geometry, wall: int) -> bool:
     if not isinstance(geometry, Enclosure) or not 0 <= wall < len(geometry.walls):
         return False
     one, normal = geometry.walls[wall], geometry.normal(wall)
-    if not one.present or normal == (0.0, 0.0):
+    if not one.present or normal == (0.0, 0.0) or _is_post(geometry, wall):
         return False
     if one.motion is not None:
         return True
@@ -93,6 +93,13 @@ def limits(geometry: Enclosure, state: State, wall: int) -> tuple[float, float]:
     if not (_is_side(geometry, wall) and wall in (1, 3)):
         high -= room((along >= place) & (along <= above))
     return min(low, now), max(high, now)
+
+
+def _is_post(geometry: Enclosure, wall: int) -> bool:
+    """A post has no line to take hold of."""
+    return not _is_side(geometry, wall) and isinstance(
+        geometry.obstacles[wall - side_count(geometry.container)], Post
+    )
 
 
 def _is_side(geometry: Enclosure, wall: int) -> bool:

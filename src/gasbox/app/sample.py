@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
 
 from gasbox.app.molecule_numbers import Energies
 from gasbox.geometry import Geometry
@@ -33,6 +36,8 @@ class Sample:
     speed_reached : frames of simulated time per second, lately, in units of 60; None before it was measured
     changes : what was changed so far, and when [time]
     frame_interval : of one frame [time]
+    world : what there is to show of the world, as `protocols.World.view`; empty without one
+    series : what it has counted over time, as `protocols.World.series`
     """
 
     version: int
@@ -49,6 +54,8 @@ class Sample:
     warnings: tuple[str, ...] = ()
     changes: tuple[tuple[float, Change], ...] = ()
     frame_interval: float = 1.0
+    world: dict[str, Any] = field(default_factory=dict)
+    series: dict[str, NDArray[np.float64]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ class Shortcut:
 
 
 SHORTCUTS: tuple[Shortcut, ...] = (
-    Shortcut("toggle", (" ",), ("Space",), "play or pause"),
+    Shortcut("toggle", (" ", "p", "P"), ("Space", "P"), "play or pause"),
     Shortcut("step", ("ArrowRight",), ("→",), "one frame"),
     Shortcut("faster", ("ArrowUp", "+", "="), ("↑", "+"), "faster"),
     Shortcut("slower", ("ArrowDown", "-"), ("↓", "−"), "slower"),
@@ -40,6 +40,9 @@ SHORTCUTS: tuple[Shortcut, ...] = (
     Shortcut("bonds", ("b", "B"), ("B",), "join neighbours by lines, or not"),
     Shortcut("unfollow", ("Escape",), ("Esc",), "stop following a particle"),
     Shortcut("whole", (), ("0",), "see the whole box again (or double click)"),
+    Shortcut("bat", (), ("W", "S", "↑", "↓"), "move a bat (pong, while it is played)"),
+    Shortcut("serve", (), ("Space", "Enter"), "serve at once, or begin a new game (pong)"),
+    Shortcut("sound", (), ("M",), "sound on or off (pong)"),
     Shortcut("keys", ("?",), ("?",), "this list"),
 )
 """All keys; `page.js` gets the browser's names from here."""

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import contextlib
 import logging
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from gasbox.app import picture, protocol, reins
 from gasbox.app.audience import Audience
@@ -14,6 +15,7 @@ from gasbox.app.look import Look
 from gasbox.app.motion import Motion
 from gasbox.app.sample import Bin, Followed, Sample
 from gasbox.app.shading import Shading
+from gasbox.app.tandem import Partner
 from gasbox.errors import GasboxError, UsageError
 from gasbox.geometry import Geometry
 from gasbox.state import Change
@@ -63,17 +65,27 @@ class Show:
         self.trouble: str | None = None
         self.version = 0
         self.running = False
+        self.partner: Partner | None = None
+        """Another gas that runs in step with this one."""
         self._wishes = wishes
         self._audience = audience
         self._unwatched = unwatched
         self._motion: Motion | None = None
         self._generation = 0
         self._geometry: Geometry | None = None
+        self._table = ""
         self._shading = Shading()
+        self._view: dict[str, Any] = {}
+
+    @property
+    def gas(self) -> Simulation | None:
+        """The gas itself, if there is one."""
+        motion = self._motion
+        return None if motion is None else motion.simulation
 
     @property
     def simulation(self) -> Simulation:
-        """The gas itself.
+        """The gas itself, which there must be.
 
         Raises
         ------
@@ -92,6 +104,8 @@ class Show:
         self.running = False
         self.trouble = None
         self.publish_all()
+        if self.partner is not None:
+            self.partner.renewed(simulation)
 
     def attempt(self, make: Callable[[], Simulation]) -> None:
         """Show the gas that `make` returns, or say why there is none."""
@@ -114,7 +128,7 @@ class Show:
             if not self.running:
                 self.running = True
                 motion.begin(self._wishes.speed)
-            pause = motion.beat()
+            pause = motion.beat(math.inf if self.partner is None else self.partner.limit())
         except Exception as error:
             self.fail(error)
             return None
@@ -129,10 +143,18 @@ class Show:
                 self._motion.step()
             except Exception as error:
                 self.fail(error)
+        if self.partner is not None:
+            self.partner.stepped()
         self.changed()
 
+    def reach(self, time: float) -> None:
+        """On to this time [time], if it is not reached, however long it takes."""
+        if self._motion is not None and self._motion.simulation.time < time:
+            self._motion.simulation.advance(until=time)
+            self.changed()
+
     def change(self, change: Change) -> None:
-        """Change gravity or a wall, and show it.
+        """Change gravity, a wall or a setting, and show it.
 
         Raises
         ------
@@ -173,6 +195,8 @@ class Show:
         """A wish has changed: count time anew, and show it."""
         self.running = False
         self.publish()
+        if self.partner is not None:
+            self.partner.changed()
 
     def fail(self, error: Exception) -> None:
         """The gas cannot go on, or could not be made: stand still and say why."""
@@ -189,12 +213,20 @@ class Show:
                 self._audience.tell(protocol.notice("trouble", text=self.trouble))
             return
         self._lay_table(self._motion.simulation)
+        self._view = {}
         self.publish()
 
     def _lay_table(self, simulation: Simulation) -> None:
         self._generation += 1
         self._geometry = simulation.geometry
-        self._audience.tell(picture.table(simulation, self._generation), stale=True)
+        self._table = picture.table(simulation, self._generation)
+        self._audience.tell(self._table, stale=True)
+
+    def _see_geometry(self, simulation: Simulation) -> None:
+        """Lay another table if the one that was laid no longer holds; a wall that turns round changes nothing in it."""
+        self._geometry = simulation.geometry
+        if picture.table(simulation, self._generation) != self._table:
+            self._lay_table(simulation)
 
     def publish(self, *, sample: bool = True) -> None:
         """A frame for the browser, and a copy for the charts."""
@@ -202,8 +234,11 @@ class Show:
         if motion is None:
             return
         simulation = motion.simulation
-        if simulation.geometry is not self._geometry:  # by a change, or by the scenario's schedule
-            self._lay_table(simulation)
+        if (
+            simulation.geometry is not self._geometry
+        ):  # by a change, by the scenario's schedule, or by a world
+            self._see_geometry(simulation)
+        self._tell_of_world(simulation)
         self.followed, _ = picture.find(simulation, wishes.followed_id)
         if sample:
             self.sample_wanted = False
@@ -223,8 +258,16 @@ class Show:
                 )
             )
 
+    def _tell_of_world(self, simulation: Simulation) -> None:
+        """What there is to show of the world beside its particles, if it has changed."""
+        view = {} if simulation.world is None else simulation.world.view()
+        if view != self._view:
+            self._view = view
+            self._audience.tell(protocol.notice("world", view=view))
+
     def _copy(self, motion: Motion) -> Sample:
         simulation = motion.simulation
+        world = simulation.world
         return Sample(
             version=self.version,
             scenario=simulation.scenario,
@@ -240,4 +283,6 @@ class Show:
             warnings=tuple(simulation.warnings),
             changes=tuple(simulation.changes),
             frame_interval=simulation.frame_interval,
+            world={} if world is None else world.view(),
+            series={} if world is None else world.series(),
         )

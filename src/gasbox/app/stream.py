@@ -13,6 +13,7 @@ from gasbox.app import protocol
 from gasbox.app.mailbox import Mailbox
 from gasbox.app.registry import BusyError, Registry
 from gasbox.app.session import Session
+from gasbox.state import SetWorld
 
 __all__ = ["GONE", "PATH", "serve_frames"]
 
@@ -111,6 +112,13 @@ async def _send(socket: WebSocket, mailbox: Mailbox, news: asyncio.Event) -> Non
             await socket.send_bytes(message)
 
 
+def _setting(name: Any, value: Any) -> SetWorld:
+    """A setting of the world; one that it does not have is refused in the session's thread, and nobody waits for it."""
+    if not isinstance(name, str) or not isinstance(value, bool | int | float | str):
+        raise ValueError("a setting that is none")
+    return SetWorld(name, value)
+
+
 async def _listen(socket: WebSocket, session: Session, mailbox: Mailbox) -> None:
     while True:
         text = await socket.receive_text()
@@ -127,6 +135,8 @@ async def _listen(socket: WebSocket, session: Session, mailbox: Mailbox) -> None
             session.drag(int(message["drag"]), float(message["to"]))
         if "drop" in message:
             session.drop(int(message["drop"]))
+        if "set" in message:
+            session.change(_setting(*message["set"]))
         if "point" in message:
             session.point(message["point"])
         session.wake()

@@ -12,6 +12,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
+from gasbox.cli.report_world import world_table
 from gasbox.units import UNIT
 
 __all__ = ["print_json", "print_summary", "warn"]
@@ -92,6 +93,8 @@ def print_summary(summary: dict[str, Any], title: str) -> None:
     console.print(species)
     if _is_more_than_a_box(summary):
         console.print(_walls(summary["walls"], [entry["name"] for entry in summary["species"]]))
+    if "world" in summary:
+        console.print(world_table(summary["world"]))
 
 
 def _is_more_than_a_box(summary: dict[str, Any]) -> bool:

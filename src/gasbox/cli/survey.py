@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox import observe
-from gasbox.geometry import Enclosure, Geometry, Passage, Rectangle, side_count
+from gasbox.geometry import Enclosure, Geometry, Rectangle, side_count
+from gasbox.geometry.conserved import lets_everybody_pass
 from gasbox.protocols import Observer
 from gasbox.recording import Recording
 from gasbox.state import Frame, State
@@ -124,7 +125,7 @@ def _dividers(geometry: Geometry, species: int) -> dict[str, observe.Sides]:
         if (
             line is not None
             and isinstance(geometry, Enclosure)
-            and geometry.walls[number].passes != Passage()
+            and not lets_everybody_pass(geometry.walls[number].passes)
         ):
             found[name] = observe.Sides(line, species, number)
     return dict(list(found.items())[:2])

@@ -6,7 +6,7 @@ from gasbox.dynamics.forced import Forced, ForcedSettings
 from gasbox.dynamics.pair_terms import pair_terms
 from gasbox.dynamics.relax import relax, step_warning
 from gasbox.dynamics.stepped import Stepped
-from gasbox.dynamics.walk import Walk, WalkSettings
+from gasbox.dynamics.walk import Walk, WalkSettings, walk_settings
 
 __all__ = [
     "EventDriven",
@@ -19,4 +19,5 @@ __all__ = [
     "pair_terms",
     "relax",
     "step_warning",
+    "walk_settings",
 ]

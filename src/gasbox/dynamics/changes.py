@@ -5,8 +5,8 @@ from __future__ import annotations
 import dataclasses
 
 from gasbox.errors import UsageError
-from gasbox.geometry import Enclosure, Geometry, Motion, Path, Piston, Rectangle, Wall
-from gasbox.state import MoveWall, SetGravity, SetWall
+from gasbox.geometry import Enclosure, Gate, Geometry, Motion, Passage, Path, Piston, Rectangle, Wall
+from gasbox.state import MoveWall, SetGate, SetGravity, SetWall, Surrounding, Way
 
 __all__ = ["altered", "as_enclosure"]
 
@@ -18,9 +18,7 @@ def as_enclosure(geometry: Geometry) -> Enclosure:
     return geometry
 
 
-def altered(
-    geometry: Geometry, time: float, change: SetGravity | MoveWall | SetWall, start: Geometry
-) -> Geometry:
+def altered(geometry: Geometry, time: float, change: Surrounding, start: Geometry) -> Geometry:
     """The geometry after a change.
 
     Parameters
@@ -56,6 +54,17 @@ def altered(
             if free:
                 changes["motion"] = _free(as_enclosure(start).walls[number].motion, change.wall)
             return enclosure.with_wall(number, **changes)
+        case SetGate(wall=wall, forward=forward, backward=backward):
+            number = _number(enclosure, wall)
+            if number < len(enclosure.walls) - len(enclosure.obstacles):
+                raise UsageError(f"{wall} is a side of the container: nobody can pass it")
+            return enclosure.with_wall(number, passes=Gate(_passage(forward), _passage(backward)))
+
+
+def _passage(way: Way | None) -> Passage | None:
+    if way is None:
+        return None
+    return Passage(way.species, least_speed=way.least_speed, greatest_speed=way.greatest_speed)
 
 
 def _way(time: float, origin: float, target: float, speed: float) -> Path:
@@ -84,5 +93,7 @@ def _movable(enclosure: Enclosure, name: str) -> int:
         isinstance(enclosure.container, Rectangle)
         or number >= len(enclosure.walls) - len(enclosure.obstacles)
     ):
-        raise UsageError(f"{name} cannot move: only sides of a rectangle and segments can")
+        raise UsageError(
+            f"{name} cannot move: only sides of a rectangle, segments, and discs with a direction can"
+        )
     return number

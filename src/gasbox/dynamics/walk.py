@@ -15,9 +15,11 @@ from gasbox.geometry import Geometry
 from gasbox.kernels import walk as kernels
 from gasbox.protocols import Status
 from gasbox.rng import Stream, generator
+from gasbox.scenario import Scenario, places_of
+from gasbox.scenario import Walk as WalkSection
 from gasbox.state import Contacts, Memory, SetWalkers, State, Tallies
 
-__all__ = ["Walk", "WalkSettings"]
+__all__ = ["Walk", "WalkSettings", "walk_settings"]
 
 _PREFIX: Final = "walk_"
 """Before the names of what is remembered."""
@@ -47,6 +49,21 @@ class WalkSettings:
     reach: float
     places: NDArray[np.float64]
     rooms: int
+
+
+def walk_settings(scenario: Scenario) -> WalkSettings:
+    """What a scenario with people who walk says of that."""
+    walk, places = scenario.dynamics, places_of(scenario)
+    assert isinstance(walk, WalkSection)
+    return WalkSettings(
+        walk.time_step,
+        walk.speed,
+        walk.turning,
+        walk.hurry,
+        walk.reach,
+        places.table,
+        places.rooms.shape[0],
+    )
 
 
 class Walk:
@@ -208,7 +225,7 @@ class Walk:
         return Status.DONE
 
     def memory(self) -> Memory:
-        """``walk_step``, and for each person ``heading``, ``place``, ``going``, ``target``, ``distancing``, ``pace``."""
+        """``walk_step``, and what is kept of each person: heading, place, going, target, distancing, pace."""
         return {
             f"{_PREFIX}step": self._step,
             **{f"{_PREFIX}{name}": self._kept[name].copy() for name in _KEPT},

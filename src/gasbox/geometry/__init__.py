@@ -14,7 +14,7 @@ from gasbox.geometry.shapes import (
     regular_polygon,
     signed_area,
 )
-from gasbox.geometry.wall import Motion, Passage, Path, Piston, Sinusoid, Wall
+from gasbox.geometry.wall import Gate, Motion, Passage, Path, Piston, Sinusoid, Wall
 
 Geometry = Rectangle | Enclosure
 """What engines and observers work with: a plain rectangle, or anything else."""
@@ -26,6 +26,7 @@ __all__ = [
     "Element",
     "ElementKind",
     "Enclosure",
+    "Gate",
     "Geometry",
     "Motion",
     "Obstacle",

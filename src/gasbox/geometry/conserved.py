@@ -9,7 +9,6 @@ passes, open walls and absent ones push nobody.
 from __future__ import annotations
 
 import functools
-import math
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +17,7 @@ from gasbox.geometry.elements import Element, ElementKind
 from gasbox.geometry.enclosure import Enclosure
 from gasbox.geometry.rectangle import Rectangle
 from gasbox.geometry.shapes import Circle
-from gasbox.geometry.wall import Passage, Wall
+from gasbox.geometry.wall import Wall, lets_everybody_pass
 
 __all__ = ["conserved_momentum", "conserves_rotation", "is_solid", "lets_everybody_pass"]
 
@@ -45,14 +44,6 @@ def conserves_rotation(geometry: Rectangle | Enclosure) -> bool:
 def is_solid(wall: Wall) -> bool:
     """Whether anybody bounces off it."""
     return wall.present and not wall.open and not lets_everybody_pass(wall.passes)
-
-
-def lets_everybody_pass(passage: Passage | None, species: int | None = None) -> bool:
-    """Whether all discs (or all of one species) pass, whatever their speed and direction."""
-    if passage is None or passage.direction != "both":
-        return False
-    named = passage.species is None or (species is not None and species in passage.species)
-    return named and passage.least_speed == 0.0 and math.isinf(passage.greatest_speed)
 
 
 @functools.lru_cache(maxsize=256)

@@ -39,7 +39,8 @@ class Element:
     kind : side, corner (or post), or rim of a circle seen from inside
     wall : index of the wall that it belongs to
     place : start of a side, centre of a corner or rim [length]
-    tangent, normal : unit vectors of a side; the normal is that along which displacements of the wall count
+    tangent, normal : unit vectors of a side; the normal is that along which displacements of the wall count, also of
+        corners and posts
     low, high : where the foot of a perpendicular may lie on a side, from its start [length]
     radius : of a post or rim [length]; 0 for a corner
     faces : +1 if only its front (where the normal points) can be touched, -1 if only its back, 0 for both
@@ -86,8 +87,8 @@ def container_elements(container: Rectangle | Circle | Polygon) -> Iterator[Elem
 def obstacle_elements(obstacle: Obstacle, wall: int, anchored: tuple[bool, bool]) -> Iterator[Element]:
     """All elements of an obstacle with this index of wall; `anchored`: which ends of a segment need no corner."""
     match obstacle:
-        case Post(center=center, radius=radius):
-            yield Element(ElementKind.CORNER, wall, center, radius=radius)
+        case Post(center=center, radius=radius, direction=direction):
+            yield Element(ElementKind.CORNER, wall, center, normal=direction, radius=radius)
         case Block(vertices=vertices):
             yield from _ring(vertices, [wall] * len(vertices), inside=False)
         case Segment(start=start, end=end):

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from gasbox.geometry import anchors, region
 from gasbox.geometry.elements import Element, container_elements, obstacle_elements, side_count
 from gasbox.geometry.rectangle import Rectangle
-from gasbox.geometry.shapes import Circle, Obstacle, Point, Polygon, Segment
+from gasbox.geometry.shapes import Circle, Obstacle, Point, Polygon, Post, Segment
 from gasbox.geometry.wall import Wall
 
 __all__ = ["Container", "Enclosure"]
@@ -115,12 +115,16 @@ class Enclosure:
         return anchors.anchored(self, number)
 
     def normal(self, wall: int) -> Point:
-        """Direction of the displacements of a wall that can move: a side of a rectangle, or a segment."""
+        """Direction of the displacements of a wall that can move: a side of a rectangle, a segment, or a post."""
         number = wall - side_count(self.container)
         if number < 0:
             return (1.0, 0.0) if wall < 2 else (0.0, 1.0)
-        obstacle = self.obstacles[number]
-        return obstacle.normal if isinstance(obstacle, Segment) else (0.0, 0.0)
+        match self.obstacles[number]:
+            case Segment(normal=normal):
+                return normal
+            case Post(direction=direction):
+                return direction
+        return (0.0, 0.0)
 
     def length(self, wall: int) -> float:
         """Length of a wall [length]; of an obstacle, all around."""
@@ -143,7 +147,9 @@ class Enclosure:
     @property
     def area(self) -> float:
         """Whole area, without that of blocks and posts [length²]."""
-        return region.area(self)
+        # The way in which a wall moves makes no difference to it, and there is a new one with each change.
+        still = tuple(replace(wall, motion=None) for wall in self.walls) if self.moves else self.walls
+        return region.area(replace(self, walls=still) if self.moves else self)
 
     def accessible_area(self, radius: float) -> float:
         """Area [length²] that centres of discs of this radius can reach."""

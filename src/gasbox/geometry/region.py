@@ -27,6 +27,7 @@ from gasbox.geometry.solids import (
     outline,
     reach,
     shape_of,
+    shifted,
     solids,
     within,
 )
@@ -73,7 +74,7 @@ def area(enclosure: Surroundings) -> float:
     whole = outline(enclosure)
     standing = [
         disc(obstacle.center, obstacle.radius) if isinstance(obstacle, Post) else shape_of(obstacle)[0]
-        for number, obstacle in enumerate(enclosure.obstacles)
+        for number, obstacle in enumerate(shifted(enclosure, n) for n in range(len(enclosure.obstacles)))
         if not isinstance(obstacle, Segment)
         and blocks(enclosure.walls[side_count(enclosure.container) + number])
     ]

@@ -90,16 +90,18 @@ class Block:
 
 @dataclass(frozen=True)
 class Post:
-    """A fixed disc.
+    """A disc that stands, or moves along one direction.
 
     Attributes
     ----------
     center : [length]
     radius : [length]
+    direction : unit vector along which it can move; (0, 0) if it cannot
     """
 
     center: Point
     radius: float
+    direction: Point = (0.0, 0.0)
 
 
 Obstacle = Segment | Block | Post

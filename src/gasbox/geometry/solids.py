@@ -17,7 +17,7 @@ from shapely.geometry.base import BaseGeometry
 from gasbox.geometry.elements import Element, side_count
 from gasbox.geometry.rectangle import Rectangle
 from gasbox.geometry.shapes import Block, Circle, Obstacle, Point, Polygon, Post, Segment
-from gasbox.geometry.wall import Passage, Wall
+from gasbox.geometry.wall import Wall, lets_everybody_pass
 
 __all__ = [
     "QUADRANT",
@@ -98,7 +98,7 @@ class Solid:
 
 def blocks(wall: Wall) -> bool:
     """Whether a wall stands in the way of anybody: it is there, and not a line that all pass."""
-    return wall.present and wall.passes != Passage()
+    return wall.present and not lets_everybody_pass(wall.passes)
 
 
 def reach(wall: Wall, radius: float) -> float:
@@ -118,10 +118,15 @@ def shifted(enclosure: Surroundings, number: int) -> Obstacle:
     """An obstacle where it is now."""
     obstacle = enclosure.obstacles[number]
     dx, dy = shift(enclosure, side_count(enclosure.container) + number)
-    if not isinstance(obstacle, Segment) or (dx == 0.0 and dy == 0.0):
+    if dx == 0.0 and dy == 0.0:
         return obstacle
-    (ax, ay), (bx, by) = obstacle.start, obstacle.end
-    return Segment((ax + dx, ay + dy), (bx + dx, by + dy))
+    match obstacle:
+        case Segment(start=(ax, ay), end=(bx, by)):
+            return Segment((ax + dx, ay + dy), (bx + dx, by + dy))
+        case Post(center=(x, y), radius=radius, direction=direction):
+            return Post((x + dx, y + dy), radius, direction)
+        case Block():
+            return obstacle
 
 
 def box(enclosure: Surroundings, container: Rectangle) -> tuple[float, float, float, float]:

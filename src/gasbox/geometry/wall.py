@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Literal
 
-__all__ = ["Motion", "Passage", "Path", "Piston", "Sinusoid", "Wall"]
+__all__ = ["Gate", "Motion", "Passage", "Path", "Piston", "Sinusoid", "Wall", "lets_everybody_pass"]
 
 
 @dataclass(frozen=True)
@@ -24,6 +24,45 @@ class Passage:
     direction: Literal["both", "forward", "backward"] = "both"
     least_speed: float = 0.0
     greatest_speed: float = math.inf
+
+    @property
+    def ways(self) -> tuple[Passage | None, Passage | None]:
+        """The rule forward and backward; None where nobody passes."""
+        return (
+            None if self.direction == "backward" else self,
+            None if self.direction == "forward" else self,
+        )
+
+
+@dataclass(frozen=True)
+class Gate:
+    """Who passes a wall, with a rule for each direction; everybody else bounces.
+
+    Attributes
+    ----------
+    forward, backward : the rule along the normal of the wall and against it, whose own `direction` says nothing;
+        None for nobody
+    """
+
+    forward: Passage | None = None
+    backward: Passage | None = None
+
+    @property
+    def ways(self) -> tuple[Passage | None, Passage | None]:
+        """The rule forward and backward; None where nobody passes."""
+        return self.forward, self.backward
+
+
+def lets_everybody_pass(passage: Passage | Gate | None, species: int | None = None) -> bool:
+    """Whether all discs (or all of one species) pass, whatever their speed and direction."""
+    return passage is not None and all(_lets_all(way, species) for way in passage.ways)
+
+
+def _lets_all(way: Passage | None, species: int | None) -> bool:
+    if way is None:
+        return False
+    named = way.species is None or (species is not None and species in way.species)
+    return named and way.least_speed == 0.0 and math.isinf(way.greatest_speed)
 
 
 @dataclass(frozen=True)
@@ -113,7 +152,7 @@ class Wall:
     name: str
     temperature: float | None = None
     open: bool = False
-    passes: Passage | None = None
+    passes: Passage | Gate | None = None
     motion: Motion | None = field(default=None)
     present: bool = True
     soft: bool = False

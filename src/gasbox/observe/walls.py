@@ -133,8 +133,8 @@ def _lengths(geometry: Geometry, radii: tuple[float, ...], gates: bool) -> NDArr
 def _is_gauge(wall: Wall, species: int, gates: bool) -> bool:
     if not is_solid(wall) or lets_everybody_pass(wall.passes, species):
         return False
-    named = wall.passes is not None and (wall.passes.species is None or species in wall.passes.species)
-    return gates or not named
+    ways = () if wall.passes is None else wall.passes.ways
+    return gates or not any(way and (way.species is None or species in way.species) for way in ways)
 
 
 def _over(sums: NDArray[np.float64], divisor: NDArray[np.float64] | NDArray[np.int64]) -> NDArray[np.float64]:

@@ -137,18 +137,18 @@ def _draw_obstacle(axes: Axes, geometry: Enclosure, number: int) -> None:
     if not wall.present:
         return
     style = {"facecolor": _BLOCK, "edgecolor": _style(wall)["color"], "linewidth": 1.2}
+    way = geometry.displacement[index] if geometry.displacement else 0.0
     patch: Patch
     match obstacle:
         case Segment(start=start, end=end, normal=(nx, ny)):
-            way = geometry.displacement[index] if geometry.displacement else 0.0
             _line(
                 axes, (start[0] + way * nx, start[1] + way * ny), (end[0] + way * nx, end[1] + way * ny), wall
             )
             return
         case Block(vertices=vertices):
             patch = Filled(np.array(vertices), closed=True, **style)
-        case Post(center=center, radius=radius):
-            patch = Round(center, radius, **style)
+        case Post(center=(x, y), radius=radius, direction=(nx, ny)):
+            patch = Round((x + way * nx, y + way * ny), radius, **style)
     axes.add_patch(patch)
 
 

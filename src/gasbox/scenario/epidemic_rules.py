@@ -143,6 +143,8 @@ def _boxes(parts: Parts, world: Epidemic) -> Iterator[Problem]:
     if box is None or parts.container is None or not isinstance(parts.dynamics, Walk):
         return
     shape = parts.container.geometry()
+    if not isinstance(shape, Rectangle):
+        return
     size = float(shape.width), float(shape.height)
     ends = ends_of(box, size)
     found = f"[{ends[0]:g}, {ends[2]:g}] x [{ends[1]:g}, {ends[3]:g}]"

@@ -22,13 +22,14 @@ from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.molecules import Atom, Bend, Bond, Molecule
 from gasbox.scenario.motions import ConstantMotion, PathMotion, PistonMotion, SinusoidMotion
 from gasbox.scenario.obstacles import STANDING
+from gasbox.scenario.pong import Players
 from gasbox.scenario.problems import KnownKeys
 from gasbox.scenario.schedule import ScheduledChange
 from gasbox.scenario.snapshot import Snapshot
 from gasbox.scenario.species import Region, Species
 from gasbox.scenario.units import Units
 from gasbox.scenario.values import Section
-from gasbox.scenario.walls import Passes, WallSettings
+from gasbox.scenario.walls import Passes, WallSettings, Way
 from gasbox.scenario.world import WORLDS
 
 __all__ = ["KNOWN_KEYS", "keys_of"]
@@ -46,9 +47,13 @@ KNOWN_KEYS: Final[KnownKeys] = {
     ("container",): keys_of(*SHAPES.values()),
     ("walls",): keys_of(WallSettings),
     ("walls", "passes"): keys_of(Passes),
+    ("walls", "passes", "forward"): keys_of(Way),
+    ("walls", "passes", "backward"): keys_of(Way),
     ("walls", "motion"): _MOTION_KEYS,
     ("obstacles",): keys_of(*STANDING.values()),
     ("obstacles", "passes"): keys_of(Passes),
+    ("obstacles", "passes", "forward"): keys_of(Way),
+    ("obstacles", "passes", "backward"): keys_of(Way),
     ("obstacles", "motion"): _MOTION_KEYS,
     ("schedule",): keys_of(ScheduledChange),
     ("schedule", "thermostat"): keys_of(ThermostatAim),
@@ -80,6 +85,7 @@ KNOWN_KEYS: Final[KnownKeys] = {
     ("world", "travel"): keys_of(Travel),
     ("world", "central"): keys_of(Central),
     ("world", "vaccination"): keys_of(Vaccination),
+    ("world", "players"): keys_of(Players),
     ("units",): keys_of(Units),
     ("histograms",): keys_of(Histograms),
     ("snapshot",): keys_of(Snapshot),

@@ -48,7 +48,12 @@ def _gates(parts: Parts) -> Iterator[Problem]:
         passes = None if obstacle is None else obstacle.passes
         if passes is None or not large.intersection(passes.species or large):
             continue
-        if passes.direction != "both" or passes.least_speed > 0.0 or passes.greatest_speed is not None:
+        if (
+            passes.each_way
+            or passes.direction != "both"
+            or passes.least_speed > 0.0
+            or passes.greatest_speed is not None
+        ):
             allowed = (
                 "molecules pass a wall both ways and at any speed, or not at all: name in species who passes"
             )

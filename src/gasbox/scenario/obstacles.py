@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Final, Literal
 
 from pydantic import ConfigDict, Field
@@ -56,7 +57,7 @@ class BlockObstacle(_Named):
 
 
 class PostObstacle(_Named):
-    """A fixed disc."""
+    """A disc that stands, or moves along one direction."""
 
     shape: Literal["disc"] = "disc"
     """Shape of the obstacle."""
@@ -64,10 +65,16 @@ class PostObstacle(_Named):
     """[length]."""
     radius: Positive
     """[length]."""
+    direction: Vector | None = None
+    """Along which it can move, by its motion, a schedule or a world: displacements count this way. Such a disc may
+    reach beyond a rectangle: then it is a cap on its side. Without it, it stands for good."""
 
     def geometry(self) -> Post:
         """As engines take it."""
-        return Post(self.center, self.radius)
+        length = math.hypot(*self.direction) if self.direction else 0.0
+        if self.direction is None or length == 0.0:
+            return Post(self.center, self.radius)
+        return Post(self.center, self.radius, (self.direction[0] / length, self.direction[1] / length))
 
 
 STANDING: Final[dict[str, type[SegmentObstacle] | type[BlockObstacle] | type[PostObstacle]]] = {

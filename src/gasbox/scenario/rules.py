@@ -20,6 +20,7 @@ from gasbox.scenario.molecule_rules import molecule_problems
 from gasbox.scenario.molecule_walls import molecule_wall_problems
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.placement import Placement, placement_problems
+from gasbox.scenario.pong_rules import pong_problems
 from gasbox.scenario.problems import near, short
 from gasbox.scenario.remembered import snapshot_problems
 from gasbox.scenario.schedule_rules import schedule_problems
@@ -53,6 +54,7 @@ def broken_rules(parts: Parts) -> list[Problem]:
         molecule_wall_problems,
         walk_problems,
         epidemic_problems,
+        pong_problems,
     )
     problems = [problem for rule in rules for problem in rule(parts)]
     shapes = [*container_problems(parts.container), *obstacle_problems(parts)]

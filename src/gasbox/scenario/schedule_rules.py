@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from gasbox.errors import Problem
 from gasbox.geometry import Rectangle
 from gasbox.scenario.motions import PistonMotion
-from gasbox.scenario.obstacles import Obstacle, SegmentObstacle
+from gasbox.scenario.obstacles import Obstacle, PostObstacle, SegmentObstacle
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.problems import near, short
 from gasbox.scenario.schedule import ScheduledChange
@@ -98,7 +98,10 @@ def _wall(path: str, entry: ScheduledChange, wall: str, parts: Parts) -> Iterato
     if entry.free is not None and not (settings and isinstance(settings.motion, PistonMotion)):
         yield Problem(f"{path}.free", str(entry.free).lower(), f"{wall} is no piston")
     if entry.displacement is not None and not _can_move(places[wall], settings, parts):
-        allowed = f"{wall} cannot move: only sides of a rectangle and segments can, if they are not open"
+        allowed = (
+            f"{wall} cannot move: only sides of a rectangle, segments, and discs with a direction can, "
+            "if they are not open"
+        )
         yield Problem(f"{path}.displacement", f"{entry.displacement:g}", allowed)
 
 
@@ -112,6 +115,8 @@ def _can_move(place: str, settings: WallSettings | Obstacle | None, parts: Parts
     if settings is not None and settings.open:
         return False
     if place.startswith("obstacles"):
+        if isinstance(settings, PostObstacle):
+            return settings.direction is not None
         return isinstance(settings, SegmentObstacle)
     shape = parts.container.geometry() if parts.container is not None else None
     if not isinstance(shape, Rectangle):

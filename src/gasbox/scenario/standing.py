@@ -58,12 +58,19 @@ def obstacle_problems(parts: Parts) -> Iterator[Problem]:
 
 
 def sticks_out(container: Rectangle | Circle | Polygon, obstacle: Segment | Block | Post) -> bool:
-    """Whether an obstacle reaches beyond the container. A post may stand across a periodic edge."""
+    """Whether an obstacle reaches beyond the container. A post may stand across a periodic edge.
+
+    One that can move only has to reach into a rectangle.
+    """
     corners, radius = _corners(obstacle)
     match container:
         case Circle(radius=whole) as circle:
             away = np.hypot(*(corners - circle.center).T).max() + radius
             return bool(away > whole * (1 + 2 * _MARGIN))
+        case Rectangle() as box if isinstance(obstacle, Post) and obstacle.direction != (0.0, 0.0):
+            # It may be a cap on a side, moving along it.
+            nearest = np.clip(corners, 0.0, box.size)
+            return bool(np.hypot(*(nearest - corners).T).max() >= radius)
         case Rectangle() as box:
             margin = _MARGIN * max(box.width, box.height)
             beyond = np.where(box.periodic, 0.0, radius)

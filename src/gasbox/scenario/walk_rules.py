@@ -48,8 +48,8 @@ def _rooms(walk: Walk, box: Rectangle) -> Iterator[Problem]:
         yield Problem("dynamics.rooms", "rooms in a periodic container", allowed)
         return
     for axis, ends, length in (
-        ("x", region and region.x, box.width),
-        ("y", region and region.y, box.height),
+        ("x", region.x if region else None, box.width),
+        ("y", region.y if region else None, box.height),
     ):
         if ends is not None and not 0 <= ends[0] < ends[1] <= length:
             allowed = f"must lie inside the container, [0, {length:g}], the lower end first"

@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from gasbox.errors import Problem
 from gasbox.geometry import Rectangle, side_names
 from gasbox.scenario.motions import ConstantMotion, Motion, PathMotion, PistonMotion
-from gasbox.scenario.obstacles import SegmentObstacle
+from gasbox.scenario.obstacles import PostObstacle, SegmentObstacle
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.problems import near, short
-from gasbox.scenario.walls import Passes, Surface
+from gasbox.scenario.walls import Passes, Surface, Way
 
 __all__ = ["named_walls", "wall_problems"]
 
@@ -90,13 +90,31 @@ def _together(path: str, surface: Surface) -> Iterator[Problem]:
 def _passes(path: str, passes: Passes | None, names: tuple[str, ...] | None) -> Iterator[Problem]:
     if passes is None:
         return
-    if passes.greatest_speed is not None and passes.least_speed >= passes.greatest_speed:
-        allowed = f"must be less than greatest_speed, {passes.greatest_speed:g}"
-        yield Problem(f"{path}.passes.least_speed", f"{passes.least_speed:g}", allowed)
-    for name in dict.fromkeys(passes.species or ()):
+    path = f"{path}.passes"
+    if passes.each_way:
+        plain = type(passes)()
+        keys = ("species", "direction", "least_speed", "greatest_speed")
+        others = [key for key in keys if getattr(passes, key) != getattr(plain, key)]
+        if others:
+            allowed = "a rule for each direction stands alone: say it in forward and backward"
+            yield Problem(path, f"{' and '.join(others)} beside them", allowed)
+        for key, way in (("forward", passes.forward), ("backward", passes.backward)):
+            if way is not None:
+                yield from _way(f"{path}.{key}", way, names)
+        return
+    if passes.model_fields_set & {"forward", "backward"}:
+        yield Problem(path, "nobody either way", 'a wall that nobody passes has no "passes"')
+    yield from _way(path, passes, names)
+
+
+def _way(path: str, way: Way, names: tuple[str, ...] | None) -> Iterator[Problem]:
+    if way.greatest_speed is not None and way.least_speed >= way.greatest_speed:
+        allowed = f"must be less than greatest_speed, {way.greatest_speed:g}"
+        yield Problem(f"{path}.least_speed", f"{way.least_speed:g}", allowed)
+    for name in dict.fromkeys(way.species or ()):
         if names is not None and name not in names:
             allowed = f"must be one of {', '.join(map(short, dict.fromkeys(names)))}{near(name, names)}"
-            yield Problem(f"{path}.passes.species", short(name), allowed)
+            yield Problem(f"{path}.species", short(name), allowed)
 
 
 def _motion(path: str, motion: Motion | None) -> Iterator[Problem]:
@@ -122,12 +140,31 @@ def _motion(path: str, motion: Motion | None) -> Iterator[Problem]:
 
 def _movable(parts: Parts) -> Iterator[Problem]:
     """Motions of walls that cannot move."""
-    allowed = "only sides of a rectangle and segments can move"
+    allowed = "only sides of a rectangle, segments, and discs with a direction can move"
     if parts.container is not None and not isinstance(parts.container.geometry(), Rectangle):
         for side, settings in parts.walls.items():
             if settings is not None and settings.motion is not None:
                 shape = f"a side of a {parts.container.shape}"
                 yield Problem(f"walls.{short(side, bare=True)}.motion", shape, allowed)
     for number, obstacle in enumerate(parts.obstacles):
-        if obstacle is not None and obstacle.motion is not None and not isinstance(obstacle, SegmentObstacle):
-            yield Problem(f"obstacles[{number}].motion", f"an obstacle of shape {obstacle.shape}", allowed)
+        path = f"obstacles[{number}]"
+        if isinstance(obstacle, PostObstacle) and obstacle.direction is not None:
+            yield from _post(path, obstacle, parts)
+        elif (
+            obstacle is not None and obstacle.motion is not None and not isinstance(obstacle, SegmentObstacle)
+        ):
+            yield Problem(f"{path}.motion", f"an obstacle of shape {obstacle.shape}", allowed)
+
+
+def _post(path: str, post: PostObstacle, parts: Parts) -> Iterator[Problem]:
+    """What is wrong with a disc that can move."""
+    if post.direction == (0.0, 0.0):
+        yield Problem(f"{path}.direction", "[0, 0]", "must point somewhere, as [0, 1]")
+    if isinstance(post.motion, PistonMotion):
+        yield Problem(
+            f"{path}.motion", "a disc as a piston", "only sides of a rectangle and segments are free"
+        )
+    shape = parts.container.geometry() if parts.container is not None else None
+    if isinstance(shape, Rectangle) and (shape.periodic_x or shape.periodic_y):
+        allowed = "only in a container without periodic directions: a wall that moves has no images"
+        yield Problem(f"{path}.direction", "a periodic container", allowed)

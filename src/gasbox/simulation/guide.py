@@ -18,6 +18,7 @@ from gasbox.state import (
     MoveWall,
     RemoveParticles,
     Reply,
+    SetGate,
     SetGravity,
     SetParticles,
     SetWalkers,
@@ -82,23 +83,25 @@ class Guide:
         return {**mine, f"{_PREFIX}turn": self._turn, **self._replies.memory()}
 
     def _follow(self, replies: Sequence[Reply]) -> None:
-        moved = False
+        changed = crowded = False
         for reply in replies:
             match reply:
-                case SetGravity() | SetWall() | MoveWall():
-                    change = self._simulation.surround(reply)
+                case SetGravity() | SetWall() | MoveWall() | SetGate():
+                    change = self._simulation.from_here(reply) if isinstance(reply, MoveWall) else reply
+                    self._simulation.surround(change)
                     self._replies.note(self._simulation.time, change)
                 case SetParticles():
-                    moved |= self._set(reply)
+                    changed |= self._set(reply)
+                    crowded |= reply.position is not None or reply.species is not None
                 case SetWalkers():
                     if not isinstance(self._simulation.dynamics, Led):
                         raise UsageError("the world has told particles where to go that cannot walk")
                     self._simulation.dynamics.lead(self._simulation.state, reply)
                 case RemoveParticles(ids=ids):
                     self._simulation.state.keep(~np.isin(self._simulation.state.id, ids))
-                    moved = True
-        if moved:
-            self._take_over()
+                    changed = True
+        if changed:
+            self._take_over(crowded)
 
     def _set(self, change: SetParticles) -> bool:
         """Write what has changed into the state; whether it was anything."""
@@ -122,11 +125,11 @@ class Guide:
             raise UsageError("the world has changed particles that are not there")
         return rows
 
-    def _take_over(self) -> None:
-        """Let the dynamics go on from the state as it is now; hard discs must not overlap in it."""
+    def _take_over(self, crowded: bool) -> None:
+        """Let the dynamics go on from the state as it is now; hard discs must not overlap in it (`crowded`: may do)."""
         simulation, state = self._simulation, self._simulation.state
         state.turn_sites()
-        if isinstance(simulation.scenario.dynamics, EventDriven):
+        if crowded and isinstance(simulation.scenario.dynamics, EventDriven):
             here = simulation.geometry.at(state.wall_displacement)
             if worst_overlap(state, here) is not None:
                 separate(state, here)

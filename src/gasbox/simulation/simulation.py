@@ -17,7 +17,17 @@ from gasbox.protocols import Controlled, Observer, Status, World
 from gasbox.scenario import Scenario, ScheduledChange, Stepped, Walk, load
 from gasbox.simulation import snapshot, summary
 from gasbox.simulation.guide import Guide
-from gasbox.state import Change, Contacts, Control, Frame, MoveWall, SetGravity, SetWall, SetWorld
+from gasbox.state import (
+    Change,
+    Contacts,
+    Control,
+    Frame,
+    MoveWall,
+    SetGravity,
+    SetWall,
+    SetWorld,
+    Surrounding,
+)
 
 __all__ = ["Simulation"]
 
@@ -113,30 +123,32 @@ class Simulation:
                     raise UsageError(f"there is no world in which {change.name} could be set")
                 self._guide.world.take(change)
             case SetGravity() | SetWall() | MoveWall():
-                change = self.surround(change)
+                change = self.from_here(change) if isinstance(change, MoveWall) else change
+                self.surround(change)
             case _:
                 self._control(change)
         self.changes.append((self.time, change))
 
-    def surround(self, change: SetGravity | SetWall | MoveWall) -> SetGravity | SetWall | MoveWall:
-        """Change gravity or a wall now, without a note of it in `changes`; returns it with all that belongs to it.
+    def from_here(self, change: MoveWall) -> MoveWall:
+        """The same motion, with the place from which the wall sets out."""
+        names, moved = self.geometry.wall_names, self.state.wall_displacement
+        here = moved[names.index(change.wall)] if change.wall in names and moved.size else 0.0
+        return replace(change, origin=float(here))
+
+    def surround(self, change: Surrounding) -> None:
+        """Change gravity or a wall now, without a note of it in `changes`; a motion must say from where.
 
         Raises
         ------
         UsageError
             There is no such wall, or it cannot do that.
         """
-        if isinstance(change, MoveWall) and change.wall in self.geometry.wall_names:
-            number = self.geometry.wall_names.index(change.wall)
-            moved = self.state.wall_displacement
-            change = replace(change, origin=float(moved[number]) if moved.size else 0.0)
         geometry = altered(self.geometry, self.time, change, self._start_geometry)
         self.dynamics.alter(self.state, geometry)
         self.geometry = geometry
         for observer in self._observers:
             if isinstance(observer, observe.FollowsChanges):
                 observer.changed(self.state, self.geometry)
-        return change
 
     def _control(self, change: Control) -> None:
         if not isinstance(self.dynamics, Controlled):

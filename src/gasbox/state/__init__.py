@@ -8,6 +8,7 @@ from gasbox.state.change import (
     RemoveParticles,
     Reply,
     SetBarostat,
+    SetGate,
     SetGravity,
     SetHeating,
     SetParticles,
@@ -15,6 +16,8 @@ from gasbox.state.change import (
     SetWalkers,
     SetWall,
     SetWorld,
+    Surrounding,
+    Way,
 )
 from gasbox.state.contacts import ContactKind, Contacts
 from gasbox.state.fields import FIELDS, ROTATION, Field
@@ -38,6 +41,7 @@ __all__ = [
     "RemoveParticles",
     "Reply",
     "SetBarostat",
+    "SetGate",
     "SetGravity",
     "SetHeating",
     "SetParticles",
@@ -47,5 +51,7 @@ __all__ = [
     "SetWorld",
     "Sites",
     "State",
+    "Surrounding",
     "Tallies",
+    "Way",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +16,7 @@ __all__ = [
     "RemoveParticles",
     "Reply",
     "SetBarostat",
+    "SetGate",
     "SetGravity",
     "SetHeating",
     "SetParticles",
@@ -22,6 +24,8 @@ __all__ = [
     "SetWalkers",
     "SetWall",
     "SetWorld",
+    "Surrounding",
+    "Way",
 ]
 
 
@@ -135,6 +139,40 @@ Change = SetGravity | SetWall | MoveWall | Control | SetWorld
 """What may be asked for from outside: by the schedule of a scenario, or live. It is logged."""
 
 
+@dataclass(frozen=True)
+class Way:
+    """Who passes a wall in one direction.
+
+    Attributes
+    ----------
+    species : indices of the kinds that pass; None for all
+    least_speed, greatest_speed : [length/time], speeds that pass
+    """
+
+    species: tuple[int, ...] | None = None
+    least_speed: float = 0.0
+    greatest_speed: float = math.inf
+
+
+@dataclass(frozen=True)
+class SetGate:
+    """Others pass a wall than before; only a world does that.
+
+    Attributes
+    ----------
+    wall : name
+    forward, backward : who passes along its normal, and against it; None for nobody
+    """
+
+    wall: str
+    forward: Way | None = None
+    backward: Way | None = None
+
+
+Surrounding = SetGravity | SetWall | MoveWall | SetGate
+"""What changes the surroundings of the gas."""
+
+
 @dataclass(frozen=True, eq=False)
 class SetParticles:
     """Particles are put elsewhere, fly otherwise, or become another kind; only a world does that.
@@ -189,5 +227,5 @@ class SetWalkers:
     pace: NDArray[np.float64] | None = None
 
 
-Reply = SetGravity | SetWall | MoveWall | ParticleChange | SetWalkers
+Reply = Surrounding | ParticleChange | SetWalkers
 """What a world may answer with."""

@@ -152,7 +152,7 @@ def _laplace(s: float, law: Law, shape: float) -> float:
     if law == "fixed":
         return math.exp(-s)
     k = 1.0 if law == "exponential" else shape
-    return (1.0 + s / k) ** -k
+    return float((1.0 + s / k) ** -k)
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Random numbers of people: keyed by seed, use, person and turn, so that no order matters. Symbols: i k rows, n people."""
+"""Random numbers of people: keyed by seed, use, person and turn, so that no order matters. Symbols: i k rows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Infection of those who are near. Symbols: i susceptible, j infectious, k its place in the list, c cell, x y position."""
+"""Infection of those who are near. Symbols: i susceptible, j infectious, k place in the list, c cell, x y position."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Crowd(NamedTuple):
 
 
 class Found(NamedTuple):
-    """Who was infected: `row`, by whom (row `by`), and after which `part` of the time since the last look; (n,) each."""
+    """Who was infected: `row`, by whom (row `by`), and after which `part` of the time since the last look: (n,)."""
 
     row: NDArray[np.int64]
     by: NDArray[np.int64]

@@ -13,7 +13,8 @@ from gasbox.kernels.hall.motion import displacement, speed
 from gasbox.kernels.hall.roots import CLOSE, GRAZING_SPEED, MARCHES, first_fall, safe_step
 from gasbox.kernels.hall.tables import (
     AMPLITUDE,
-    DIRECTION,
+    BACK_GREATEST,
+    BACK_LEAST,
     FACES,
     GREATEST,
     HIGH,
@@ -44,15 +45,21 @@ _ON_LINE = 1e-10
 
 @inlined_kernel
 def passes(hall: Hall, number: int, species: int, vx: float, vy: float, along: float) -> bool:
-    """Whether a disc with this velocity, relative to the wall, passes it; `along` its component along the normal."""
+    """Whether a disc with this velocity, relative to the wall, passes it; `along` its component along the normal.
+
+    One that goes neither along it nor against it passes if it does so either way.
+    """
     if not hall.passes[number, species]:
         return False
-    direction = hall.rule[number, DIRECTION]
-    if direction != 0 and direction * along < 0.0:
-        return False
-    least, greatest = hall.wall[number, LEAST], hall.wall[number, GREATEST]
     speed2 = vx * vx + vy * vy
-    return least * least <= speed2 and speed2 <= greatest * greatest
+    if along >= 0.0 and hall.ways[number, species, 0]:
+        least, greatest = hall.wall[number, LEAST], hall.wall[number, GREATEST]
+        if least * least <= speed2 and speed2 <= greatest * greatest:
+            return True
+    if along <= 0.0 and hall.ways[number, species, 1]:
+        least, greatest = hall.wall[number, BACK_LEAST], hall.wall[number, BACK_GREATEST]
+        return least * least <= speed2 and speed2 <= greatest * greatest
+    return False
 
 
 @inlined_kernel

@@ -20,12 +20,12 @@ KIND, WALL, FACES = range(3)
 SIDE, CORNER, RIM = (int(kind) for kind in (ElementKind.SIDE, ElementKind.CORNER, ElementKind.RIM))
 # Columns of `wall`: a motion's reference time, displacement, speed and acceleration; amplitude, frequency, and phase
 # at time zero of a sinusoid; end of the present piece; temperature (below zero: none); mass of a piston, its
-# acceleration when it is free, its stops; speeds that pass.
+# acceleration when it is free, its stops; speeds that pass forward, and backward.
 S_TIME, S_PLACE, S_SPEED, S_PUSH, AMPLITUDE, OMEGA, PHASE, UNTIL = range(8)
-TEMPERATURE, MASS, PUSH, LOWER, UPPER, LEAST, GREATEST = range(8, 15)
-# Columns of `rule`: kind of motion, whether it is open, direction that passes (+1, -1, 0 for both), whether overlaps
-# with it are let be (a wall that some pass, or that came while discs stood in its place).
-MOTION, OPEN, DIRECTION, SOFT = range(4)
+TEMPERATURE, MASS, PUSH, LOWER, UPPER, LEAST, GREATEST, BACK_LEAST, BACK_GREATEST = range(8, 17)
+# Columns of `rule`: kind of motion, whether it is open, whether overlaps with it are let be (a wall that some pass, or
+# that came while discs stood in its place).
+MOTION, OPEN, SOFT = range(3)
 REST, SMOOTH, WAVE = range(3)
 
 
@@ -36,8 +36,9 @@ class Hall(NamedTuple):
     ----------
     gx, gy : gravity [length/time²]
     shape : (elements, 9) float64; kind : (elements, 3) int32; see the columns above
-    wall : (walls, 15) float64; rule : (walls, 4) int32
+    wall : (walls, 17) float64; rule : (walls, 3) int32
     passes : (walls, species) bool, who passes at all
+    ways : (walls, species, 2) bool, who passes along the normal of the wall, and against it
     first, near, image : the elements at rest near each cell, see `gasbox.kernels.hall.near`
     moving : (m,) int32, elements of walls that move
     seed : (2,) int64, halves of the scenario's seed
@@ -51,6 +52,7 @@ class Hall(NamedTuple):
     wall: NDArray[np.float64]
     rule: NDArray[np.int32]
     passes: NDArray[np.bool_]
+    ways: NDArray[np.bool_]
     first: NDArray[np.int32]
     near: NDArray[np.int32]
     image: NDArray[np.int8]
@@ -75,11 +77,11 @@ def hall(enclosure: Enclosure, species: int, seed: int) -> Hall:
         )
         kind[row] = int(element.kind), element.wall, element.faces
     walls = enclosure.walls
-    wall = np.zeros((len(walls), 15))
-    rule = np.zeros((len(walls), 4), np.int32)
-    passes = np.zeros((len(walls), species), np.bool_)
+    wall = np.zeros((len(walls), 17))
+    rule = np.zeros((len(walls), 3), np.int32)
+    ways = np.zeros((len(walls), species, 2), np.bool_)
     for row, one in enumerate(walls):
-        _describe(one, wall[row], rule[row], passes[row])
+        _describe(one, wall[row], rule[row], ways[row])
         rule[row, SOFT] |= one.soft
         if one.motion is not None:
             set_motion(wall[row], rule[row], one.motion, 0.0, 0.0)
@@ -92,7 +94,8 @@ def hall(enclosure: Enclosure, species: int, seed: int) -> Hall:
         kind,
         wall,
         rule,
-        passes,
+        ways[:, :, 0] | ways[:, :, 1],
+        ways,
         np.zeros(1, np.int32),
         np.zeros(0, np.int32),
         np.zeros((0, 2), np.int8),
@@ -102,20 +105,19 @@ def hall(enclosure: Enclosure, species: int, seed: int) -> Hall:
     )
 
 
-def _describe(
-    one: Wall, wall: NDArray[np.float64], rule: NDArray[np.int32], passes: NDArray[np.bool_]
-) -> None:
+def _describe(one: Wall, wall: NDArray[np.float64], rule: NDArray[np.int32], ways: NDArray[np.bool_]) -> None:
     wall[UNTIL] = math.inf
     wall[TEMPERATURE] = -1.0 if one.temperature is None else one.temperature
     wall[LOWER], wall[UPPER] = -math.inf, math.inf
-    wall[GREATEST] = math.inf
+    wall[GREATEST] = wall[BACK_GREATEST] = math.inf
     rule[OPEN] = one.open
     if one.passes is not None:
-        passes[:] = one.passes.species is None
-        passes[list(one.passes.species or ())] = True
-        rule[DIRECTION] = {"both": 0, "forward": 1, "backward": -1}[one.passes.direction]
         rule[SOFT] = 1
-        wall[LEAST], wall[GREATEST] = one.passes.least_speed, one.passes.greatest_speed
+        for way, passage in enumerate(one.passes.ways):
+            if passage is not None:
+                ways[:, way] = passage.species is None
+                ways[list(passage.species or ()), way] = True
+                wall[LEAST + 2 * way], wall[GREATEST + 2 * way] = passage.least_speed, passage.greatest_speed
 
 
 def _equip_piston(enclosure: Enclosure, number: int, wall: NDArray[np.float64]) -> None:

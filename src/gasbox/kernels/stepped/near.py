@@ -99,7 +99,7 @@ def _may_meet(walls: Walls, e: int, sx: float, sy: float, way: Way, most: float)
     if hall.kind[e, KIND] == CORNER:
         reach = r + hall.shape[e, RHO]
         if hall.shape[e, RHO] > 0.0:
-            reach += most
+            reach += most + abs(after - walls.start[number])
         return x * x + y * y <= reach * reach
     room = hall.shape[e, RHO] - r
     return x * x + y * y >= room * room

@@ -194,6 +194,21 @@ def _exit(dx: float, dy: float, ax: float, ay: float, room: float) -> float:
 
 
 @inlined_kernel
+def _to_post(
+    walls: Walls, e: int, sx: float, sy: float, way: Way, moving: bool
+) -> tuple[float, float, float, float]:
+    """Begin of a way as seen from a corner or post, and how far it leads as seen from there."""
+    ax, ay, bx, by, _ = way
+    hall = walls.hall
+    number = hall.kind[e, WALL]
+    nx, ny = hall.shape[e, NX], hall.shape[e, NY]
+    after = walls.place[number]
+    before = walls.start[number] if moving else after
+    px, py = hall.shape[e, PX] + sx + before * nx, hall.shape[e, PY] + sy + before * ny
+    return ax - px, ay - py, bx - ax - (after - before) * nx, by - ay - (after - before) * ny
+
+
+@inlined_kernel
 def crossing(walls: Walls, e: int, sx: float, sy: float, way: Way, moving: bool) -> float:
     """Part of a way at which the centre would get across an element that lets nobody pass; infinity if it does not."""
     ax, ay, bx, by, r = way
@@ -203,9 +218,10 @@ def crossing(walls: Walls, e: int, sx: float, sy: float, way: Way, moving: bool)
     rho = hall.shape[e, RHO]
     px, py = hall.shape[e, PX] + sx, hall.shape[e, PY] + sy
     if hall.kind[e, KIND] == CORNER:
-        if rho == 0.0 or (ax - px) ** 2 + (ay - py) ** 2 <= rho * rho:
+        if rho == 0.0:
             return math.inf
-        return _entry(bx - ax, by - ay, ax - px, ay - py, rho)
+        x, y, dx, dy = _to_post(walls, e, sx, sy, way, moving)
+        return math.inf if x * x + y * y <= rho * rho else _entry(dx, dy, x, y, rho)
     most = rho - _SKIN * r
     if (bx - px) ** 2 + (by - py) ** 2 < most * most:
         return math.inf
@@ -235,10 +251,16 @@ def put_back(walls: Walls, e: int, sx: float, sy: float, way: Way, put: NDArray[
     rho = hall.shape[e, RHO]
     px, py = hall.shape[e, PX] + sx, hall.shape[e, PY] + sy
     if hall.kind[e, KIND] == CORNER:
-        part, sign = _entry(bx - ax, by - ay, ax - px, ay - py, rho + r), 1.0
+        x, y, dx, dy = _to_post(walls, e, sx, sy, way, True)
+        part, sign = _entry(dx, dy, x, y, rho + r), 1.0
     else:
         part, sign = _exit(bx - ax, by - ay, ax - px, ay - py, rho - r), -1.0
-    x, y = ax + part * (bx - ax), ay + part * (by - ay)
+    nx, ny = hall.shape[e, NX], hall.shape[e, NY]
+    number = hall.kind[e, WALL]
+    # Like a side, one that moves takes along whom it has met.
+    carried = (walls.place[number] - walls.start[number]) * (1.0 - part)
+    x, y = ax + part * (bx - ax) + carried * nx, ay + part * (by - ay) + carried * ny
+    px, py = px + walls.place[number] * nx, py + walls.place[number] * ny
     away = math.sqrt((x - px) ** 2 + (y - py) ** 2)
     put[0], put[1] = x, y
     put[2], put[3] = sign * (x - px) / away, sign * (y - py) / away

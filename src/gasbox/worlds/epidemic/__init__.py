@@ -1,5 +1,5 @@
 """An epidemic among people who move about."""
 
-from gasbox.worlds.epidemic.epidemic import Epidemic
+from gasbox.worlds.epidemic.outbreak import Outbreak
 
-__all__ = ["Epidemic"]
+__all__ = ["Outbreak"]

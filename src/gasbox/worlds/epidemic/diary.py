@@ -102,7 +102,7 @@ class Diary:
         return found
 
     def growth(self, people: int) -> float | None:
-        """Rate at which the number of infected people grew at first [1/day]: from the straight line through its logarithm."""
+        """Rate at which the number of the infected grew at first [1/day], by a straight line through its logarithm."""
         table = self._table()
         total = self._column("total")
         now = table[:, [_COLUMNS.index(STAGES[k]) for k in (EXPOSED, INFECTIOUS, ASYMPTOMATIC)]].sum(axis=1)

@@ -153,8 +153,8 @@ class Disease:
             self.seed,
             self._found,
         )
-        row, by, part = (column[:count].copy() for column in self._found)
-        return row, by, state.time - (1.0 - part) * self._interval
+        row, by = self._found.row[:count].copy(), self._found.by[:count].copy()
+        return row, by, state.time - (1.0 - self._found.part[:count]) * self._interval
 
     def read(self, contacts: Contacts, people: People) -> None:
         """Infect in collisions; they show at the next turn."""

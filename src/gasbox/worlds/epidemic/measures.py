@@ -63,7 +63,7 @@ class Measures:
 
     @property
     def _rooms(self) -> int:
-        return self._places.rooms.shape[0]
+        return int(self._places.rooms.shape[0])
 
     def rearm(self, name: str) -> None:
         """After a new value of a setting: what it triggers waits for its cases again."""
@@ -198,7 +198,8 @@ class Measures:
     def _way(self, state: State, rows: Rows, change: SetWalkers) -> NDArray[np.float64]:
         """How long it takes to the target [time]."""
         assert change.target is not None
-        return np.hypot(*(change.target - state.position[rows]).T) / self._fast
+        way = change.target - state.position[rows]
+        return np.sqrt(way[:, 0] ** 2 + way[:, 1] ** 2) / self._fast
 
     def memory(self) -> Memory:
         """What is going on."""

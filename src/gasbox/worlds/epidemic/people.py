@@ -85,14 +85,21 @@ class People:
     @classmethod
     def healthy(cls, count: int) -> People:
         """All susceptible, in the first room."""
-        never = [np.full(count, value) for value in (-1.0, -1.0, NEVER, -1.0, NEVER, NEVER, 0.0)]
         return cls(
-            np.zeros(count, np.int8),
-            *never,
-            *(np.zeros(count, np.int64) for _ in range(3)),
-            np.zeros(count, np.int8),
-            np.full(count, NEVER),
-            np.zeros(count, np.bool_),
+            stage=np.zeros(count, np.int8),
+            infected_at=np.full(count, -1.0),
+            onset=np.full(count, -1.0),
+            until=np.full(count, NEVER),
+            ended_at=np.full(count, -1.0),
+            free_until=np.full(count, NEVER),
+            found_at=np.full(count, NEVER),
+            counted=np.zeros(count),
+            passed_on=np.zeros(count, np.int64),
+            room=np.zeros(count, np.int64),
+            zone=np.zeros(count, np.int64),
+            errand=np.zeros(count, np.int8),
+            errand_until=np.full(count, NEVER),
+            asked=np.zeros(count, np.bool_),
         )
 
     def memory(self) -> Memory:

@@ -6,7 +6,7 @@ import { Message } from "./message.js";
 import { grown, reach } from "./outline.js";
 import { Trail, drawOverlay } from "./overlay.js";
 import { chooseRenderer } from "./probe.js";
-import { decodeFrame, decodeTable, encodeDrag, encodeDrop, encodePoint } from "./protocol.js";
+import { decodeFrame, decodeTable, encodeDrag, encodeDrop, encodePoint, encodeSetting } from "./protocol.js";
 import { palettes } from "./shades.js";
 import { FrameSocket } from "./socket.js";
 import { Stats } from "./stats.js";
@@ -14,12 +14,14 @@ import { installStyle, readTheme, watchTheme } from "./theme.js";
 import { Tip } from "./tip.js";
 import { View } from "./view.js";
 import { GlRenderer } from "./webgl2.js";
+import { WorldOverlay } from "./world.js";
 
 export { decodeFrame, decodeTable };
 
 const SLACK = 5; // CSS pixels by which a click may miss a small disc
 
-// options: session (id), renderer ("cpu", "gl", else by probe), onPick(row or null), onNotice({ kind, ... })
+// options: session (id), renderer ("cpu", "gl", else by probe), guest (a second box on the page), onPick(row or null),
+// onNotice({ kind, ... })
 export function createLab(element, options) {
   return new Lab(element, options);
 }
@@ -36,7 +38,7 @@ function kin({ shape, width, height, names, walls }) {
 }
 
 class Lab {
-  constructor(element, { session, renderer, onPick, onNotice }) {
+  constructor(element, { session, renderer, guest, onPick, onNotice }) {
     installStyle();
     element.classList.add("gasbox-lab");
     this.element = element;
@@ -47,7 +49,8 @@ class Lab {
     this.message = new Message(element);
     this.tip = new Tip(element);
     this.renderer = this.makeRenderer(chooseRenderer(renderer));
-    this.stats = window.gasboxStats = new Stats(this.renderer.name);
+    this.stats = new Stats(this.renderer.name);
+    window[guest ? "gasboxGuestStats" : "gasboxStats"] = this.stats;
     this.table = this.frame = null;
     this.ticket = 0;
     this.unwatch = watchTheme(() => this.restyle());
@@ -57,6 +60,7 @@ class Lab {
       send: (wall, displacement) => this.socket.send(encodeDrag(wall, displacement)),
       drop: (wall) => this.socket.send(encodeDrop(wall)),
     });
+    this.world = new WorldOverlay(this, (name, value) => this.socket.send(encodeSetting(name, value)));
     this.gestures = new Gestures(element, this.view, this.handles, {
       onView: () => this.schedule(),
       onPick: (px, py) => this.picked(px, py),
@@ -66,6 +70,7 @@ class Lab {
     this.socket = new FrameSocket(session, {
       onFrame: () => this.schedule(),
       onText: (message) => this.hear(message),
+      guest,
     });
   }
 
@@ -119,6 +124,9 @@ class Lab {
     if (message.kind === "table") {
       this.settle(decodeTable(message));
       this.stats.connected = true;
+    } else if (message.kind === "world") {
+      this.world.hear(message.view);
+      return;
     } else if (message.kind === "lost") {
       this.stats.connected = false;
     }
@@ -135,6 +143,7 @@ class Lab {
       this.frame = this.pointed = null;
       this.trail.forget();
     }
+    this.world.settle(table.world);
     this.show(same ? room.map((end, k) => (k < 2 ? Math.min : Math.max)(end, this.view.room[k])) : room);
     this.mixColors();
   }
@@ -190,6 +199,7 @@ class Lab {
     const scene = this.scene();
     this.renderer.draw(scene);
     drawOverlay(this.renderer.overlay, scene);
+    this.world.draw(this.renderer.overlay, scene);
     this.tip.show(scene);
   }
 
@@ -225,6 +235,7 @@ class Lab {
     cancelAnimationFrame(this.ticket);
     this.socket.close();
     this.gestures.destroy();
+    this.world.destroy();
     this.sizer.disconnect();
     this.unwatch();
     this.renderer.destroy();

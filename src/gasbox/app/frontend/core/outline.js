@@ -19,8 +19,14 @@ export function readOutline({ container, walls, obstacles, gravity }) {
     gravity,
     sides: sides(container, all),
     lines: stones.filter((one) => one.shape === "segment").map((one) => segment(one)),
-    blocks: stones.filter((one) => one.shape !== "segment"),
+    blocks: stones.filter((one) => one.shape !== "segment" && !isBat(one)),
+    bats: stones.filter(isBat),
   };
+}
+
+// A disc that moves: it is drawn anew with each frame, where it is.
+function isBat({ shape, wall }) {
+  return shape === "disc" && wall.motion !== null;
 }
 
 function sides({ shape, width, height, radius, vertices }, walls) {

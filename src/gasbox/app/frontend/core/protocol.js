@@ -89,6 +89,7 @@ export function decodeTable(message) {
     radii: Float64Array.from(message.species, (one) => one.radius),
     reaches: Float64Array.from(message.species, (one) => one.reach),
     ...readBodies(message),
+    world: message.world ?? null,
   };
 }
 
@@ -106,6 +107,11 @@ export function encodeDrag(wall, displacement) {
 
 export function encodePoint(row) {
   return JSON.stringify({ point: row });
+}
+
+// A setting of the world.
+export function encodeSetting(name, value) {
+  return JSON.stringify({ set: [name, value] });
 }
 
 export function encodeDrop(wall) {

@@ -1,8 +1,8 @@
 // Walls as lines over the discs: plain, thermal (coloured by temperature), open (dashed), passed by some (dotted), moving
 // (thick, with a handle), taken away (faint).
 import { mix } from "./color.js";
-import { blockPath, isPlain } from "./ground.js";
-import { ends, extent } from "./outline.js";
+import { blockPath, containerPath, isPlain } from "./ground.js";
+import { displacementOf, ends, extent } from "./outline.js";
 
 const COLD = [38, 116, 222];
 const EVEN = [156, 90, 176];
@@ -16,6 +16,7 @@ export function drawWalls(context, scene) {
   else for (const side of table.sides) if (!isPlain(side.wall)) line(context, scene, side);
   for (const one of table.lines) line(context, scene, one);
   for (const block of table.blocks) if (!isPlain(block.wall)) edge(context, scene, block);
+  for (const bat of table.bats) disc(context, scene, bat);
   for (const grip of grips(scene)) handle(context, scene, grip);
   arrow(context, scene);
   context.setLineDash([]);
@@ -131,6 +132,25 @@ function edge(context, scene, block) {
   context.clip();
   context.lineWidth *= 2;
   context.stroke();
+  context.restore();
+}
+
+// A disc that moves, where it is now, as far as it is in the container.
+function disc(context, scene, bat) {
+  if (!bat.wall.present) return;
+  const { view, frame, theme } = scene;
+  const away = displacementOf(bat.wall, frame);
+  const [x, y] = view.toCanvas(...bat.center.map((place, k) => place + away * bat.wall.normal[k]));
+  context.save();
+  context.beginPath();
+  containerPath(context, scene);
+  context.clip();
+  context.setLineDash([]);
+  context.globalAlpha = bat.wall.line === "dotted" ? 0.25 : 1;
+  context.beginPath();
+  context.arc(x, y, bat.radius * view.scale, 0, 2 * Math.PI);
+  context.fillStyle = theme.obstacle;
+  context.fill();
   context.restore();
 }
 

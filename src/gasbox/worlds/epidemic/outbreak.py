@@ -9,9 +9,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox import scenario as data
 from gasbox.geometry import Geometry
-from gasbox.scenario import STAGES, Scenario, places_of
+from gasbox.scenario import STAGES, Epidemic, Scenario, places_of
 from gasbox.state import Contacts, Memory, Reply, SetParticles, SetWorld, State
 from gasbox.theory.epidemic import well_mixed_reproduction
 from gasbox.worlds.epidemic.dials import Dials
@@ -20,7 +19,7 @@ from gasbox.worlds.epidemic.disease import Disease
 from gasbox.worlds.epidemic.measures import Measures
 from gasbox.worlds.epidemic.people import DEAD, SUSCEPTIBLE, People
 
-__all__ = ["Epidemic"]
+__all__ = ["Outbreak"]
 
 Rows = NDArray[np.int64]
 _LOOKS_A_DAY: Final = 100
@@ -32,7 +31,7 @@ _MAJOR: Final = 0.1
 """Of the susceptible must be infected for a major outbreak."""
 
 
-class Epidemic:
+class Outbreak:
     """Who is infected by whom, and what people do about it.
 
     A turn: journeys and visits end; the exposed become infectious; who is found is kept apart; infections since the
@@ -45,7 +44,7 @@ class Epidemic:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        assert isinstance(scenario.world, data.Epidemic)
+        assert isinstance(scenario.world, Epidemic)
         self._world = world = scenario.world
         step = getattr(scenario.dynamics, "time_step", world.day / _LOOKS_A_DAY)
         self.interval: float = world.interval or step

@@ -1,0 +1,11 @@
+// What is drawn of each kind of world, and what it hears of keys and pointers. A class for each kind:
+//   constructor(lab, send): send(name, value) gives a setting another value, at once
+//   hear(view): what the world shows now, as its `view` in Python
+//   draw(context, scene): over discs and walls
+//   key(event, down) and pointer(x, y, event): whether it was for the world; x, y in the box [length]
+//   destroy()
+// All but the constructor and `draw` may be left out.
+import { EpidemicWorld } from "./epidemic.js";
+import { PongWorld } from "./pong.js";
+
+export const WORLDS = { pong: PongWorld, epidemic: EpidemicWorld };

@@ -1,0 +1,115 @@
+// What is written over the court: score, centre line, and what is to be done next.
+
+const FAMILY = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif';
+
+// What the court says in the middle: [large, small] lines, or none.
+export function words({ view, paused, humans, touch }) {
+  const again = touch ? "Tap for a new game" : "Space or Enter: new game";
+  if (view.phase === "over") return [verdict(view, humans), humans.length ? again : "New game: the button below"];
+  if (paused) return ["Paused", touch ? "" : "P or Space goes on"];
+  if (view.phase !== "serve") return null;
+  const wait = view.serve_in;
+  const large = Number.isFinite(wait) ? `Serve in ${Math.max(wait, 0).toFixed(1)}` : "Serve";
+  return [large, humans.length ? (touch ? "Tap to serve" : "Space serves at once") : ""];
+}
+
+function verdict({ winner }, humans) {
+  if (humans.length !== 1) return winner === "left" ? "Left wins" : "Right wins";
+  return humans[0] === winner ? "You win" : "The computer wins";
+}
+
+// How a bat is moved, for the half of each human: side -> lines.
+export function hints({ humans, touch }) {
+  if (touch) return Object.fromEntries(humans.map((side) => [side, ["Slide a finger here", "to move your bat"]]));
+  const keys = { left: "W and S", right: "\u2191 and \u2193" };
+  if (humans.length !== 1) return Object.fromEntries(humans.map((side) => [side, [keys[side], "or the mouse in this half"]]));
+  return { [humans[0]]: ["Your bat: the mouse,", "\u2191 \u2193 or W S"] };
+}
+
+// state: { view, paused, humans, touch, moved }
+export function drawBoard(context, { table, view, theme }, state) {
+  const { width, height } = table;
+  const pen = new Pen(context, view, theme, height * view.scale);
+  net(context, table, view, theme);
+  state.view.score.forEach((points, k) => {
+    const [x, y] = view.toCanvas(width * (k ? 0.75 : 0.25), height);
+    pen.write(String(points), x, y + pen.size(0.13), pen.size(0.17), 700, 0.6);
+  });
+  const said = words(state);
+  if (said) lines(pen, said, ...view.toCanvas(width / 2, 0.3 * height), 0.075);
+  if (state.moved || state.view.phase === "over") return;
+  for (const [side, text] of Object.entries(hints(state))) {
+    const [x, y] = view.toCanvas(width * (side === "left" ? 0.25 : 0.75), 0.55 * height);
+    lines(pen, text, x, y, 0.05);
+  }
+}
+
+function net(context, { width, height }, view, theme) {
+  const [x, top] = view.toCanvas(width / 2, height);
+  const [, bottom] = view.toCanvas(width / 2, 0);
+  const dash = (bottom - top) / 41;
+  context.strokeStyle = theme.obstacle;
+  context.globalAlpha = 0.55;
+  context.lineWidth = Math.max(1, Math.round(2 * view.ratio));
+  context.lineCap = "butt";
+  context.setLineDash([dash, dash]);
+  context.beginPath();
+  context.moveTo(Math.round(x), top);
+  context.lineTo(Math.round(x), bottom);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+// Two lines on a plate, so that they can be read over a gas.
+function lines(pen, [large, small], x, y, share) {
+  const size = pen.size(share);
+  const gap = small ? 1.15 * size : 0;
+  const wide = Math.max(pen.width(large, size, 650), small ? pen.width(small, 0.62 * size, 500) : 0);
+  pen.plate(x, y + 0.45 * gap, wide + 1.4 * size, gap + 1.7 * size);
+  pen.write(large, x, y, size, 650, 1);
+  if (small) pen.write(small, x, y + gap, 0.62 * size, 500, 0.85);
+}
+
+class Pen {
+  constructor(context, view, theme, court) {
+    Object.assign(this, { context, view, theme, court });
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.lineJoin = "round";
+  }
+
+  // A share of the height of the court, but not too small to be read.
+  size(share) {
+    return Math.max(share * this.court, 11 * this.view.ratio);
+  }
+
+  font(size, weight) {
+    this.context.font = `${weight} ${Math.round(size)}px ${FAMILY}`;
+  }
+
+  width(text, size, weight) {
+    this.font(size, weight);
+    return this.context.measureText(text).width;
+  }
+
+  write(text, x, y, size, weight, alpha) {
+    const { context, theme } = this;
+    this.font(size, weight);
+    context.globalAlpha = 0.7;
+    context.strokeStyle = `rgb(${theme.box})`;
+    context.lineWidth = 0.12 * size;
+    context.strokeText(text, x, y);
+    context.globalAlpha = alpha;
+    context.fillStyle = theme.ring;
+    context.fillText(text, x, y);
+  }
+
+  plate(x, y, width, height) {
+    const { context, theme } = this;
+    context.globalAlpha = 0.82;
+    context.fillStyle = `rgb(${theme.box})`;
+    context.beginPath();
+    context.roundRect(x - width / 2, y - height / 2, width, height, 0.25 * height);
+    context.fill();
+  }
+}

@@ -1,0 +1,13 @@
+"""What the page has for each kind of world: its controls, and charts of its own."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from gasbox.app.worlds.epidemic import EpidemicPanel
+from gasbox.app.worlds.panel import MakePanel
+
+__all__ = ["PANELS"]
+
+PANELS: Final[dict[str, MakePanel]] = {"epidemic": EpidemicPanel}
+"""Kind of world -> what makes its panel."""
