@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 from matplotlib.figure import Figure
 
-from gasbox.cli.ensemble_report import WORLD, is_main
+from gasbox.cli.ensemble_report import WORLD, headline, is_main
 from gasbox.cli.ensemble_run import Outcome
 from gasbox.cli.report import meaning
 from gasbox.plots import Fan, Pile, ensemble_figure
@@ -16,7 +16,7 @@ from gasbox.sweep import Gathered, Plan
 __all__ = ["figure_of"]
 
 _COLORS: Final = ("#0b6bcb", "#c2410c", "#2e8b57", "#8a63d2")
-_OF_GAS: Final = (
+_OF_GAS: Final[tuple[str, ...]] = (
     "temperature",
     "pressure",
     "pressure_virial",
@@ -39,13 +39,7 @@ def figure_of(plan: Plan, outcome: Outcome) -> Figure:
         for name, color in zip(found.series, _COLORS, strict=False)
     ]
     piles = [_pile(found, name) for name in _names(found)]
-    return ensemble_figure(found.times, fans, piles, title_of(plan, outcome))
-
-
-def title_of(plan: Plan, outcome: Outcome) -> str:
-    """The scenario, and how many runs there are."""
-    runs = f"{outcome.found.seeds.size} runs up to time {plan.times[-1]:g}"
-    return f"{plan.scenario.title}\n{runs}" if plan.scenario.title else runs
+    return ensemble_figure(found.times, fans, piles, headline(plan, outcome))
 
 
 def _names(found: Gathered) -> list[str]:

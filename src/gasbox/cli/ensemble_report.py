@@ -23,7 +23,7 @@ from gasbox.errors import FileError, UsageError
 from gasbox.sweep import Plan, spread
 from gasbox.version import __version__
 
-__all__ = ["WORLD", "check_data", "is_main", "print_ensemble", "report", "write_data"]
+__all__ = ["WORLD", "check_data", "headline", "is_main", "print_ensemble", "report", "write_data"]
 
 WORLD: Final = "world."
 """Before the names of numbers that a world gives."""
@@ -93,6 +93,13 @@ def write_data(path: Path, plan: Plan, outcome: Outcome) -> None:
         raise FileError(f"cannot write {path}: {error.strerror or error}") from None
 
 
+def headline(plan: Plan, outcome: Outcome) -> str:
+    """The title of the scenario, and how many runs there are."""
+    count = outcome.found.seeds.size
+    runs = f"{count} run{'' if count == 1 else 's'} up to time {plan.times[-1]:g}"
+    return f"{plan.scenario.title}\n{runs}" if plan.scenario.title else runs
+
+
 def _cell(value: float) -> str:
     """In full; empty where there is no value."""
     return f"{value!r}" if math.isfinite(value) else ""
@@ -109,8 +116,7 @@ def print_ensemble(plan: Plan, outcome: Outcome) -> None:
     table = Table("", title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
     for column in ("mean ± its error", "std dev", "5 %", "50 %", "95 %"):
         table.add_column(column, justify="right", no_wrap=True)
-    runs = f"{found.seeds.size} runs up to time {plan.times[-1]:g}, in {outcome.wall_seconds:.3g} s"
-    table.title = f"{escape(plan.scenario.title)}\n{runs}" if plan.scenario.title else runs
+    table.title = escape(f"{headline(plan, outcome)}, in {outcome.wall_seconds:.3g} s")
     alike = []
     for name, values in found.values.items():
         told = spread(values)

@@ -2,9 +2,9 @@
 
 from gasbox.sweep.crew import done_together
 from gasbox.sweep.diary import Diary
-from gasbox.sweep.ensemble import Failure, Member, Plan, ensemble, plan_for
 from gasbox.sweep.gathered import Gathered, gathered
 from gasbox.sweep.grid import FULL, QUICK, Recipe, grid_points
+from gasbox.sweep.members import Failure, Member, Plan, ensemble, plan_for
 from gasbox.sweep.point import Point, measure, measured, scenario_at
 from gasbox.sweep.spread import QUANTILES, Spread, spread
 from gasbox.sweep.verdict import MATTERS, Matter, verdict

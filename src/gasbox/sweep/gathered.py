@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.sweep.ensemble import Member
+from gasbox.sweep.members import Member
 
 __all__ = ["Gathered", "gathered"]
 
