@@ -21,8 +21,8 @@ _WIDTH, _FAN_HEIGHT, _PILE_HEIGHT = 10.0, 3.4, 2.9
 _SINGLE: Final = 6
 """Runs that are drawn one by one."""
 _MOST_BINS: Final = 40
-_HEADROOM: Final = 1.32
-"""Height of a histogram's axis, in units of its highest bar: there the legend covers nothing."""
+_HEADROOM: Final = 0.12
+"""Room above the highest bar for each row of a legend, in units of that bar."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,14 +83,16 @@ def ensemble_figure(
     """
     columns = 2 if len(piles) == 4 else min(max(len(piles), 1), 3)
     rows = math.ceil(len(piles) / columns)
-    heights = [_FAN_HEIGHT] * len(fans) + [_PILE_HEIGHT] * rows
+    heights = [height for height in (_FAN_HEIGHT * len(fans), _PILE_HEIGHT * rows) if height]
     figure = new_figure(_WIDTH, sum(heights) + (0.5 if title else 0.0))
-    grid = figure.add_gridspec(len(heights), columns, height_ratios=heights)
-    for row, (axis, drawn) in enumerate(fans):
-        draw_fans(figure.add_subplot(grid[row, :]), time, axis, drawn)
+    # Parts of their own, so that a legend beside the fans takes no room from the histograms.
+    parts = list(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0])
+    if fans:
+        upper = parts.pop(0)
+        for row, (axis, drawn) in enumerate(fans):
+            draw_fans(upper.add_subplot(len(fans), 1, row + 1), time, axis, drawn)
     for number, pile in enumerate(piles):
-        row, column = divmod(number, columns)
-        draw_pile(figure.add_subplot(grid[len(fans) + row, column]), pile)
+        draw_pile(parts[0].add_subplot(rows, columns, number + 1), pile)
     if title:
         figure.suptitle(title, color=INK, fontsize=11, fontweight="bold")
     return figure
@@ -101,14 +103,13 @@ def draw_fans(axes: Axes, time: NDArray[np.float64], axis: str, fans: Sequence[F
     for fan in fans:
         dark = darker(fan.color, 0.8)
         low, median, high = np.nanquantile(fan.values, (0.05, 0.5, 0.95), axis=0)
-        band = axes.fill_between(time, low, high, color=fan.color, alpha=0.22, linewidth=0.0)
+        axes.fill_between(time, low, high, color=fan.color, alpha=0.22, linewidth=0.0)
         chosen = np.unique(np.linspace(0, len(fan.values) - 1, _SINGLE).round().astype(int))
         for run in chosen:
             axes.plot(time, fan.values[run], color=dark, linewidth=0.6, alpha=0.55)
         axes.plot(time, median, color=dark, linewidth=2.2, label=f"{fan.name}, median")
-        if len(fans) == 1:
-            band.set_label("90 of 100 runs")
-            axes.plot([], [], color=dark, linewidth=0.6, alpha=0.55, label=f"{chosen.size} single runs")
+    axes.fill_between([], [], [], color=QUIET, alpha=0.25, linewidth=0.0, label="90 of 100 runs")
+    axes.plot([], [], color=QUIET, linewidth=0.6, label="single runs")
     axes.set_ylabel(axis)
     axes.set_xlabel(label("time", "time"))
     axes.set_xlim(float(time[0]), float(time[-1]))
@@ -125,12 +126,8 @@ def draw_pile(axes: Axes, pile: Pile) -> None:
     counts, edges = np.histogram(known, _edges(known))
     axes.stairs(counts, edges, fill=True, color=POTENTIAL, alpha=0.45)
     axes.stairs(counts, edges, color=darker(POTENTIAL), linewidth=0.9)
-    for mark, style in zip(pile.marks, ("-", "--", ":", "-."), strict=False):
-        axes.axvline(mark.value, color=INK, linewidth=1.5, linestyle=style, label=mark.name)
-        if math.isfinite(mark.deviation):
-            span = mark.value - mark.deviation, mark.value + mark.deviation
-            axes.axvspan(*span, color=INK, alpha=0.13, linewidth=0.0, label="± its standard deviation")
-    axes.set_ylim(0.0, max(float(counts.max(initial=1)), 1.0) * (_HEADROOM if pile.marks else 1.08))
+    highest, rows = max(float(counts.max(initial=1)), 1.0), _draw_marks(axes, pile.marks)
+    axes.set_ylim(0.0, highest * (1.06 + _HEADROOM * rows))
     axes.set_title(f"{pile.name}\n")
     axes.set_xlabel(f"{pile.name} [{pile.unit}]" if pile.unit else pile.name)
     axes.set_ylabel("runs")
@@ -140,8 +137,24 @@ def draw_pile(axes: Axes, pile: Pile) -> None:
     axes.text(
         0.5, 1.03, pile.note or _mean(known), transform=axes.transAxes, ha="center", fontsize=8, color=QUIET
     )
-    if pile.marks:
-        axes.legend(loc="upper center", ncols=2, fontsize=7.5, frameon=False, labelcolor=INK)
+    if rows:
+        axes.legend(
+            loc="upper center", fontsize=7.5, facecolor="white", framealpha=0.9, edgecolor="none",
+            labelcolor=INK, borderaxespad=0.1, labelspacing=0.25,
+        )  # fmt: skip
+
+
+def _draw_marks(axes: Axes, marks: Sequence[Mark]) -> int:
+    """Lines of theory with their bands; how many rows the legend has."""
+    rows = 0
+    for mark, style in zip(marks, ("-", "--", ":", "-."), strict=False):
+        axes.axvline(mark.value, color=INK, linewidth=1.5, linestyle=style, label=mark.name)
+        rows += 1
+        if math.isfinite(mark.deviation):
+            span = mark.value - mark.deviation, mark.value + mark.deviation
+            axes.axvspan(*span, color=INK, alpha=0.13, linewidth=0.0, label="± its standard deviation")
+            rows += 1
+    return rows
 
 
 def _mean(values: NDArray[np.float64]) -> str:
