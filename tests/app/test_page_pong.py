@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 from free_flight import FreeFlight
-from gasbox.scenario.pong_table import BATS, VARIANTS, pong_table
 from simulated_lab import Lab
 from surroundings import sample, walled
 from test_page_studies import loaded
@@ -15,6 +14,7 @@ from test_page_studies import loaded
 from gasbox.app.worlds.live_values import LiveValues
 from gasbox.app.worlds.pong_tables import Laid
 from gasbox.scenario import Scenario, parse
+from gasbox.scenario.pong_table import BATS, VARIANTS, pong_table
 from gasbox.state import SetWorld
 
 

@@ -30,7 +30,8 @@ _OCTAVES: Final = 4
 def walls_with_controls(scenario: Scenario, geometry: Enclosure) -> list[int]:
     """Indices of the walls that can be changed by hand: dividers and what has a name, thermal and moving walls.
 
-    Under forces walls neither move nor go, so that only thermal ones are left. Bats and goal lines belong to their game.
+    Under forces walls neither move nor go, so that only thermal ones are left. Bats and goal lines belong to their
+    game.
     """
     first = side_count(geometry.container)
     rigid = has_forces(scenario)

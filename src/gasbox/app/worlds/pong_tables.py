@@ -31,6 +31,7 @@ class Laid:
 
     @classmethod
     def of(cls, scenario: Scenario) -> Laid:
+        """Read it off a scenario with a game of pong."""
         world = scenario.world
         assert isinstance(world, Pong)
         gas = [one for one in scenario.species if one.name not in (world.ball, world.bricks)]
