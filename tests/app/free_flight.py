@@ -36,7 +36,7 @@ class FreeFlight:
         self.scenario = scenario
         self.geometry = scenario.geometry()
         self.changes: list[tuple[float, Change]] = []
-        self.world = None
+        self.world: Any = None
         self.frame_interval = scenario.frame_interval or 1.0
         self.warnings = ()
         self.calls: list[float] = []

@@ -20,6 +20,7 @@ class LabCanvas(Element, component="frontend/lab_canvas.js", esm={"gasbox-core":
     ----------
     session : whose frames to show; its gas starts when the browser opens the frame socket
     renderer : ``gl``, ``cpu``, or chosen by a probe of the browser; ``?renderer=`` in the address wins
+    guest : whether it is only a second box beside the one that the page is about
     on_pick : called with the id of the disc that was clicked, or None for a click beside all discs
     on_notice : called with what the server has to say: a dict with ``kind`` ``preparing`` (``done``,
         ``total``, ``name``), ``ready``, ``busy`` (``text``), ``trouble``
@@ -31,6 +32,7 @@ class LabCanvas(Element, component="frontend/lab_canvas.js", esm={"gasbox-core":
         session: Session,
         *,
         renderer: Literal["auto", "cpu", "gl"] = "auto",
+        guest: bool = False,
         on_pick: Callable[[int | None], None] | None = None,
         on_notice: Callable[[dict[str, Any]], None] | None = None,
     ) -> None:
@@ -38,6 +40,7 @@ class LabCanvas(Element, component="frontend/lab_canvas.js", esm={"gasbox-core":
         self._session = session
         self._props["session"] = session.id
         self._props["renderer"] = renderer
+        self._props["guest"] = guest
         if on_pick is not None:
             pick = on_pick
             self.on("pick", lambda event: pick(self._id(event)))

@@ -72,8 +72,8 @@ class Motion:
         self.simulation.advance(until=self.simulation.time)
         return self._clock() - begun
 
-    def beat(self) -> float:
-        """Advance as far as is due, within the budget; the seconds until the next beat."""
+    def beat(self, limit: float = math.inf) -> float:
+        """Advance as far as is due, within the budget and up to `limit` [time]; the seconds until the next beat."""
         begun = self._clock()
         ticks = self._ticks.due(begun)
         start = self.simulation.time
@@ -82,8 +82,10 @@ class Motion:
             asked = ticks * self.speed * interval
             missed = max(0.0, (begun - self._last) * FRAMES_PER_SECOND - ticks - 1) * self.speed * interval
             self._goal += asked
-            self._advance(self._goal, begun + BUDGET)
-            behind = max(0.0, self._goal - self.simulation.time - self._quantum)
+            self._advance(min(self._goal, limit), begun + BUDGET)
+            # What was only put off for another gas that runs in step is not given up at once.
+            spare = self._quantum if limit == math.inf else self._quantum + 2.0 * asked
+            behind = max(0.0, self._goal - self.simulation.time - spare)
             self._goal -= behind
             self._account.add(begun, begun - self._last, self.simulation.time - start, behind + missed)
             self._last = begun

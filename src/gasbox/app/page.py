@@ -122,6 +122,7 @@ class Page:
         settings = json.dumps({"keys": keys, "holds": holds, "upload": self.files.upload.id})
         ui.add_css(_ASSETS / "page.css")
         ui.add_css(_ASSETS / "worlds.css")
+        ui.add_css(_ASSETS / "epidemic.css")
         ui.add_body_html(
             f"<script>window.gasboxPage = {settings};\n{(_ASSETS / 'page.js').read_text()}</script>"
         )

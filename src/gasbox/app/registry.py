@@ -56,6 +56,7 @@ class Registry:
     def open(self, scenario: Scenario) -> Session:
         """A new session for a page that is being built; it starts when its frame socket connects."""
         session = self._make(scenario, admit=self._admit)
+        session.home = self
         with self._lock:
             self._sessions[session.id] = session
         return session
@@ -111,6 +112,13 @@ class Registry:
             self._seated.clear()
         for session in sessions:
             session.close()
+
+    def dismiss(self, session: Session) -> None:
+        """End a session, and free its place. Waits for the beat at hand."""
+        with self._lock:
+            if session.id in self._sessions:
+                self._remove(session)
+        session.close()
 
     def _admit(self, session: Session) -> None:
         with self._lock:

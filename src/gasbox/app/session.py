@@ -19,6 +19,7 @@ from gasbox.app.pace import SPEED_LIMITS
 from gasbox.app.preparation import simulate
 from gasbox.app.sample import Bin, Followed, Quantity, Sample
 from gasbox.app.show import Show, Wishes
+from gasbox.app.tandem import Home
 from gasbox.app.worker import Worker, outcome
 from gasbox.errors import UsageError
 from gasbox.scenario import Scenario
@@ -63,7 +64,8 @@ class Session:
         self._scenario = scenario
         self._prepare, self._admit, self._simulate = prepare, admit, simulate
         self._wishes = Wishes()
-        self._show = Show(self._wishes, self.audience, unwatched)
+        self.show = self._show = Show(self._wishes, self.audience, unwatched)
+        self.home: Home | None = None  # where there may be other sessions beside this one
         self._worker: Worker | None = None
         self._lock = threading.Lock()
 
@@ -123,12 +125,12 @@ class Session:
                 return
             self._worker = Worker(self._show.beat, f"gasbox-{self.id[:6]}")
             self._worker.start()
-            self._order(lambda: self._begin(simulation))
+            self.ask(lambda: self._begin(simulation))
 
     def play(self, playing: bool = True) -> None:
         """Let time run."""
         self._wishes.playing = playing
-        self._order(self._show.changed)
+        self.ask(self._show.changed)
 
     def pause(self) -> None:
         """Let time stand still."""
@@ -149,16 +151,16 @@ class Session:
         if not math.isfinite(speed):
             raise UsageError(f"speed: found {speed}; a number from {SPEED_LIMITS[0]} to {SPEED_LIMITS[1]}")
         self._wishes.speed = min(max(float(speed), SPEED_LIMITS[0]), SPEED_LIMITS[1])
-        self._order(self._show.changed)
+        self.ask(self._show.changed)
 
     def step(self) -> Future[Any]:
         """One frame; pauses first."""
         self._wishes.playing = False
-        return self._order(self._show.step)
+        return self.ask(self._show.step)
 
     def reset(self) -> Future[Any]:
         """Back to the start of the same scenario, with the same seed."""
-        return self._order(lambda: self._show.attempt(lambda: self._simulate(self._scenario)))
+        return self.ask(lambda: self._show.attempt(lambda: self._simulate(self._scenario)))
 
     def load(self, scenario: Scenario) -> None:
         """Replace the gas by that of another scenario or snapshot. Waits: call it outside of an event loop.
@@ -173,7 +175,7 @@ class Session:
         self._prepare()
         simulation = self._simulate(scenario)
         if self.started:
-            outcome(self._order(lambda: self._install(simulation, scenario)))
+            outcome(self.ask(lambda: self._install(simulation, scenario)))
         else:
             self._scenario = scenario
             self.start(simulation)
@@ -188,11 +190,11 @@ class Session:
             There is no gas.
         """
         self.start()
-        return outcome(self._order(lambda: self._show.simulation.snapshot()))
+        return outcome(self.ask(lambda: self._show.simulation.snapshot()))
 
     def settle(self, timeout: float = 30.0) -> None:
         """Wait until every order given so far is carried out."""
-        outcome(self._order(lambda: None), timeout)
+        outcome(self.ask(lambda: None), timeout)
 
     def sample(self) -> Sample | None:
         """The newest copy for charts and readouts; None while the gas is still being made.
@@ -206,27 +208,27 @@ class Session:
     def highlight(self, species: int, low: float, high: float, quantity: Quantity = "speed") -> None:
         """Light up the discs of one species whose speed or energy lies in [low, high)."""
         self._wishes.light = Bin(species, low, high, quantity)
-        self._order(self._show.publish)
+        self.ask(self._show.publish)
 
     def clear_highlight(self) -> None:
         """Light up nothing."""
         self._wishes.light = None
-        self._order(self._show.publish)
+        self.ask(self._show.publish)
 
     def dress(self, look: Look) -> None:
         """Show discs in another way."""
         self._wishes.look = look
-        self._order(self._show.publish)
+        self.ask(self._show.publish)
 
     def follow(self, particle_id: int | None) -> None:
         """Follow one particle, or none; an id that does not exist is none."""
         self._wishes.followed_id = particle_id
-        self._order(self._show.publish)
+        self.ask(self._show.publish)
 
     def point(self, row: Any) -> None:
         """Tell about the particle in this row with each frame; about none for anything that is no row."""
         self._wishes.pointed_id = self.id_of_row(row)
-        self._order(self._show.publish)
+        self.ask(self._show.publish)
 
     def followed(self) -> Followed | None:
         """The followed disc as last shown."""
@@ -234,28 +236,27 @@ class Session:
 
     def change(self, change: Change) -> Future[None]:
         """Change gravity, a wall or a setting, between two beats; what cannot be done comes out of the future."""
-        return self._order(lambda: self._show.change(change))
+        return self.ask(lambda: self._show.change(change))
 
     def drag(self, wall: int, displacement: float) -> None:
         """Let a wall follow a hand, with bounded speed; the newest place counts."""
         self._wishes.hands = {**self._wishes.hands, wall: displacement}
-        self._order(self._show.follow_hands)
+        self.ask(self._show.follow_hands)
 
     def drop(self, wall: int) -> None:
         """The hand lets go of a wall."""
-        self._order(lambda: self._show.let_loose(wall))
+        self.ask(lambda: self._show.let_loose(wall))
 
     def id_of_row(self, row: Any) -> int | None:
         """The id of the disc in this row of the frame; None for anything else."""
         sample = self._show.sample
-        if not isinstance(row, int) or sample is None or not 0 <= row < sample.state.count:
-            return None
-        return int(sample.state.id[row])
+        known = isinstance(row, int) and sample is not None and 0 <= row < sample.state.count
+        return int(sample.state.id[row]) if known and sample is not None else None
 
     def attach(self, mailbox: Mailbox) -> None:
         """Send frames to this mailbox from now on, and no longer to an earlier one."""
         self.audience.attach(mailbox)
-        self._order(self._show.publish_all)
+        self.ask(self._show.publish_all)
 
     def wake(self) -> None:
         """Something may have changed about who looks."""
@@ -264,7 +265,7 @@ class Session:
 
     def hand_over(self, heir: Session) -> None:
         """Give gas, speed and all to another session, and end. For a page that was loaded again. Waits."""
-        simulation = outcome(self._order(lambda: self._show.simulation))
+        simulation = outcome(self.ask(lambda: self._show.simulation))
         self.close()
         heir._scenario, heir.charts = self._scenario, self.charts
         heir._wishes.inherit(self._wishes)
@@ -278,7 +279,8 @@ class Session:
             self._worker.join(5.0)
             self._show.let_go()
 
-    def _order(self, order: Callable[[], _T]) -> Future[_T]:
+    def ask(self, order: Callable[[], _T]) -> Future[_T]:
+        """Have something done in its thread, between two beats."""
         if self._worker is not None:
             return self._worker.ask(order)
         nothing: Future[Any] = Future()  # nobody is there yet to be asked; wishes are kept

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import logging
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ from gasbox.app.look import Look
 from gasbox.app.motion import Motion
 from gasbox.app.sample import Bin, Followed, Sample
 from gasbox.app.shading import Shading
+from gasbox.app.tandem import Partner
 from gasbox.errors import GasboxError, UsageError
 from gasbox.geometry import Geometry
 from gasbox.state import Change
@@ -63,6 +65,8 @@ class Show:
         self.trouble: str | None = None
         self.version = 0
         self.running = False
+        self.partner: Partner | None = None
+        """Another gas that runs in step with this one."""
         self._wishes = wishes
         self._audience = audience
         self._unwatched = unwatched
@@ -74,8 +78,14 @@ class Show:
         self._view: dict[str, Any] = {}
 
     @property
+    def gas(self) -> Simulation | None:
+        """The gas itself, if there is one."""
+        motion = self._motion
+        return None if motion is None else motion.simulation
+
+    @property
     def simulation(self) -> Simulation:
-        """The gas itself.
+        """The gas itself, which there must be.
 
         Raises
         ------
@@ -94,6 +104,8 @@ class Show:
         self.running = False
         self.trouble = None
         self.publish_all()
+        if self.partner is not None:
+            self.partner.renewed(simulation)
 
     def attempt(self, make: Callable[[], Simulation]) -> None:
         """Show the gas that `make` returns, or say why there is none."""
@@ -116,7 +128,7 @@ class Show:
             if not self.running:
                 self.running = True
                 motion.begin(self._wishes.speed)
-            pause = motion.beat()
+            pause = motion.beat(math.inf if self.partner is None else self.partner.limit())
         except Exception as error:
             self.fail(error)
             return None
@@ -131,7 +143,15 @@ class Show:
                 self._motion.step()
             except Exception as error:
                 self.fail(error)
+        if self.partner is not None:
+            self.partner.stepped()
         self.changed()
+
+    def reach(self, time: float) -> None:
+        """On to this time [time], if it is not reached, however long it takes."""
+        if self._motion is not None and self._motion.simulation.time < time:
+            self._motion.simulation.advance(until=time)
+            self.changed()
 
     def change(self, change: Change) -> None:
         """Change gravity, a wall or a setting, and show it.
@@ -175,6 +195,8 @@ class Show:
         """A wish has changed: count time anew, and show it."""
         self.running = False
         self.publish()
+        if self.partner is not None:
+            self.partner.changed()
 
     def fail(self, error: Exception) -> None:
         """The gas cannot go on, or could not be made: stand still and say why."""

@@ -74,7 +74,10 @@ class Stage:
     """The box itself, with a curtain before it while kernels are compiled, or no place is free."""
 
     def __init__(self, session: Session, pick: Callable[[int | None], None]) -> None:
-        with ui.element("section").classes("card box").props('aria-label="The box with its particles"'):
+        with (
+            ui.element("div").classes("boxes").mark("boxes"),
+            ui.element("section").classes("card box").props('aria-label="The box with its particles"'),
+        ):
             self.canvas = LabCanvas(session, on_pick=pick, on_notice=self.hear).classes("canvas").mark("box")
             self.canvas.props(
                 'role=img aria-label="Particles moving in the box; the numbers below describe them"'

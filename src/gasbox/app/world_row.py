@@ -9,7 +9,7 @@ from nicegui import ui
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
 from gasbox.app.worlds import PANELS
-from gasbox.app.worlds.panel import Send, WorldPanel
+from gasbox.app.worlds.panel import Ending, Send, WorldPanel
 from gasbox.scenario import Scenario
 
 __all__ = ["WorldRow"]
@@ -49,6 +49,8 @@ class WorldRow:
             self.panel.show(sample)
 
     def _build(self, scenario: Scenario) -> None:
+        if isinstance(self.panel, Ending):
+            self.panel.end()
         before, self._scenario = self._scenario, scenario
         self._root.clear()
         self.panel = None

@@ -12,6 +12,7 @@ import typer
 
 from gasbox.cli.bench import bench
 from gasbox.cli.check import check
+from gasbox.cli.ensemble import ensemble
 from gasbox.cli.lab import lab
 from gasbox.cli.phase_diagram import phase_diagram
 from gasbox.cli.plot import plot
@@ -34,7 +35,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for command in (lab, run, resume, check, schema, scenarios, plot, phase_diagram, bench):
+for command in (lab, run, resume, check, schema, scenarios, plot, ensemble, phase_diagram, bench):
     app.command()(command)
 
 

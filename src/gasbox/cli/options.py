@@ -19,6 +19,7 @@ __all__ = [
     "SnapshotFile",
     "Threads",
     "Until",
+    "Workers",
 ]
 
 ScenarioName: TypeAlias = Annotated[
@@ -52,6 +53,12 @@ Settings: TypeAlias = Annotated[
 Threads: TypeAlias = Annotated[
     int | None,
     typer.Option("--threads", metavar="N", help="Threads that work together; they change no result."),
+]
+Workers: TypeAlias = Annotated[
+    int | None,
+    typer.Option(
+        "--workers", min=1, metavar="N", help="Processes [one for each core]; they change no result."
+    ),
 ]
 Json: TypeAlias = Annotated[
     bool, typer.Option("--json", help="Print the summary as one JSON object, and nothing else.")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from gasbox.errors import FileError, UsageError
 
-__all__ = ["check_figure", "check_outputs"]
+__all__ = ["check_figure", "check_outputs", "check_place"]
 
 _SNAPSHOT_ENDINGS = (".json", ".json.gz")
 _FIGURE_ENDINGS = (".png", ".svg", ".pdf")
@@ -32,7 +32,7 @@ def check_outputs(source: Path, record: Path | None, snapshot: Path | None, resu
         raise UsageError(f"--snapshot would replace the scenario {source}; choose another name")
     if not snapshot.name.endswith(_SNAPSHOT_ENDINGS):
         raise UsageError(f"--snapshot {snapshot}: a snapshot ends in {' or '.join(_SNAPSHOT_ENDINGS)}")
-    _check_place(snapshot)
+    check_place(snapshot)
 
 
 def check_figure(path: Path) -> None:
@@ -44,10 +44,16 @@ def check_figure(path: Path) -> None:
     """
     if path.suffix not in _FIGURE_ENDINGS:
         raise UsageError(f"{path}: a figure ends in {', '.join(_FIGURE_ENDINGS)}")
-    _check_place(path)
+    check_place(path)
 
 
-def _check_place(path: Path) -> None:
+def check_place(path: Path) -> None:
+    """Refuse a file that could not be written.
+
+    Raises
+    ------
+    FileError
+    """
     if path.is_dir():
         raise FileError(f"cannot write {path}: it is a folder")
     if not path.parent.is_dir():

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from gasbox.cli import options
+
 if TYPE_CHECKING:
     from gasbox.sweep import Diary, Recipe
 
@@ -45,12 +47,7 @@ def phase_diagram(
         ),
     ] = None,
     seed: Annotated[int | None, typer.Option("--seed", min=0, metavar="N", help="Of all points [1].")] = None,
-    workers: Annotated[
-        int | None,
-        typer.Option(
-            "--workers", min=1, metavar="N", help="Processes [one for each core]; they change no result."
-        ),
-    ] = None,
+    workers: options.Workers = None,
     quick: Annotated[
         bool, typer.Option("--quick", help="A rough one: fewer points, discs and steps.")
     ] = False,

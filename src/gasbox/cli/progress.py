@@ -22,15 +22,17 @@ class Progress:
     ----------
     start, end : of the run [time]; an infinite end is that of Ctrl-C
     what : is counted, if not simulated time
+    per_second : whether to show how many there are in a second, too
     """
 
-    def __init__(self, start: float, end: float, what: str = "time") -> None:
-        self._start, self._drawn_at = start, 0.0
+    def __init__(self, start: float, end: float, what: str = "time", per_second: bool = False) -> None:
+        self._start, self._drawn_at, self._begun_at = start, 0.0, time.monotonic()
         console = Console(stderr=True)
         self._bar = Bar(
             TextColumn(what + " {task.fields[time]:g}"),
             BarColumn(),
             TaskProgressColumn(),
+            *([TextColumn("{task.fields[rate]:.3g} a second")] if per_second else []),
             TimeElapsedColumn(),
             TextColumn("left"),
             TimeRemainingColumn(),
@@ -38,7 +40,8 @@ class Progress:
             transient=True,
             disable=not console.is_terminal,
         )
-        self._task = self._bar.add_task("run", total=end - start if math.isfinite(end) else None, time=start)
+        total = end - start if math.isfinite(end) else None
+        self._task = self._bar.add_task("run", total=total, time=start, rate=0.0)
 
     def __enter__(self) -> Progress:
         self._bar.start()
@@ -54,7 +57,8 @@ class Progress:
         moment = time.monotonic()
         if moment - self._drawn_at >= _SECONDS:
             self._drawn_at = moment
-            self._bar.update(self._task, completed=now - self._start, time=now)
+            rate = (now - self._start) / max(moment - self._begun_at, _SECONDS)
+            self._bar.update(self._task, completed=now - self._start, time=now, rate=rate)
 
 
 def compile_first() -> None:

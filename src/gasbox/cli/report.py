@@ -15,7 +15,7 @@ from rich.table import Table
 from gasbox.cli.report_world import world_table
 from gasbox.units import UNIT
 
-__all__ = ["print_json", "print_summary", "warn"]
+__all__ = ["finite", "meaning", "print_json", "print_summary", "warn"]
 
 _ROWS = (
     ("time", "time", UNIT["time"]),
@@ -60,6 +60,12 @@ _OF_MOLECULES: Final = (
 """Columns of which those are shown in which something stands."""
 
 
+def meaning(name: str) -> tuple[str, str]:
+    """How a number of a summary is called in tables and pictures, and its unit."""
+    known = {row[0]: row[1:] for row in _ROWS}
+    return known.get(name, (name.replace("_", " "), ""))
+
+
 def warn(warnings: Iterable[str]) -> None:
     """Print warnings on standard error."""
     for warning in warnings:
@@ -68,7 +74,7 @@ def warn(warnings: Iterable[str]) -> None:
 
 def print_json(summary: dict[str, Any]) -> None:
     """Print one JSON object; what is no finite number becomes null, as JSON has no other."""
-    print(json.dumps(_finite(summary), allow_nan=False, indent=2, ensure_ascii=False))
+    print(json.dumps(finite(summary), allow_nan=False, indent=2, ensure_ascii=False))
 
 
 def print_summary(summary: dict[str, Any], title: str) -> None:
@@ -140,9 +146,10 @@ def _text(value: Any) -> str:
     return f"{value:.6g}" if isinstance(value, float) else f"{value}"
 
 
-def _finite(value: Any) -> Any:
+def finite(value: Any) -> Any:
+    """The same with null for what is no finite number."""
     if isinstance(value, dict):
-        return {key: _finite(entry) for key, entry in value.items()}
+        return {key: finite(entry) for key, entry in value.items()}
     if isinstance(value, list):
-        return [_finite(entry) for entry in value]
+        return [finite(entry) for entry in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,6 +1,7 @@
 """Figures from arrays, with matplotlib and without pyplot: they need no screen and leave no global state."""
 
 from gasbox.plots.balance import draw_energies, draw_indicator, draw_transfers
+from gasbox.plots.ensemble import Fan, Mark, Pile, draw_fans, draw_pile, ensemble_figure
 from gasbox.plots.gas import draw_gas
 from gasbox.plots.heating import draw_heating_curve
 from gasbox.plots.histograms import HistogramPanel, draw_histograms, histogram_figure, theory_curve
@@ -15,11 +16,15 @@ from gasbox.plots.sides import draw_centers, draw_mixing, draw_sides
 from gasbox.plots.walls import draw_passed, draw_wall_pressures
 
 __all__ = [
+    "Fan",
     "HistogramPanel",
+    "Mark",
     "Panel",
+    "Pile",
     "draw_centers",
     "draw_density",
     "draw_energies",
+    "draw_fans",
     "draw_gas",
     "draw_heating_curve",
     "draw_hexatic",
@@ -34,6 +39,7 @@ __all__ = [
     "draw_panels",
     "draw_passed",
     "draw_phases",
+    "draw_pile",
     "draw_rdf",
     "draw_series",
     "draw_shares",
@@ -42,6 +48,7 @@ __all__ = [
     "draw_transfers",
     "draw_turning",
     "draw_wall_pressures",
+    "ensemble_figure",
     "histogram_figure",
     "overview_figure",
     "panels_figure",

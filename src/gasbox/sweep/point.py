@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -12,10 +13,11 @@ import numpy as np
 from gasbox import observe
 from gasbox.scenario import Scenario, parse
 from gasbox.simulation import Simulation
+from gasbox.sweep.crew import Stopped, done_together
 from gasbox.sweep.grid import Recipe
 from gasbox.sweep.verdict import Matter, unevenness, verdict
 
-__all__ = ["Point", "measure", "scenario_at"]
+__all__ = ["Point", "measure", "measured", "scenario_at"]
 
 _TIME_STEP: Final = 0.01
 _FRAME: Final = 2.5
@@ -79,8 +81,27 @@ def scenario_at(temperature: float, density: float, recipe: Recipe) -> Scenario:
     )
 
 
+def measured(
+    points: Sequence[tuple[float, float]], recipe: Recipe, workers: int = 1
+) -> Generator[Point, None, None]:
+    """Each point as it gets done, in any order. Closing the iterator stops all work.
+
+    Parameters
+    ----------
+    points : (temperature [energy], density [1/length²])
+    workers : processes; with one, everything happens in this one
+    """
+    for found in done_together(partial(_measure, recipe), points, min(workers, len(points))):
+        assert found is not None
+        yield found
+
+
+def _measure(recipe: Recipe, place: tuple[float, float], stopped: Stopped) -> Point | None:
+    return measure(*place, recipe, stopped)
+
+
 def measure(
-    temperature: float, density: float, recipe: Recipe, stopped: Callable[[], bool] = lambda: False
+    temperature: float, density: float, recipe: Recipe, stopped: Stopped = lambda: False
 ) -> Point | None:
     """Run one point on one thread.
 

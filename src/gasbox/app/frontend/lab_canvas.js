@@ -3,11 +3,12 @@ import { createLab } from "gasbox-core";
 
 export default {
   template: '<div class="gasbox-lab"></div>',
-  props: { session: String, renderer: String },
+  props: { session: String, renderer: String, guest: Boolean },
   mounted() {
     this.lab = createLab(this.$el, {
       session: this.session,
       renderer: this.renderer,
+      guest: this.guest,
       onPick: (row) => this.$emit("pick", row),
       onNotice: (notice) => this.$emit("notice", notice),
     });

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
+from gasbox.app.worlds.epidemic import EpidemicPanel
 from gasbox.app.worlds.panel import MakePanel
 
 __all__ = ["PANELS"]
 
-PANELS: Final[dict[str, MakePanel]] = {}
+PANELS: Final[dict[str, MakePanel]] = {"epidemic": EpidemicPanel}
 """Kind of world -> what makes its panel."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Literal, Protocol
+from typing import Literal, Protocol, runtime_checkable
 
 from nicegui import ui
 
@@ -11,7 +11,7 @@ from gasbox.app.sample import Sample
 from gasbox.app.session import Session
 from gasbox.state import Change
 
-__all__ = ["MakePanel", "Send", "WorldPanel"]
+__all__ = ["Ending", "MakePanel", "Send", "WorldPanel"]
 
 Send = Callable[[Change], None]
 """Takes a change, and says on the page why it could not be made."""
@@ -25,6 +25,15 @@ class WorldPanel(Protocol):
 
     def show(self, sample: Sample) -> None:
         """Called four times a second."""
+        ...
+
+
+@runtime_checkable
+class Ending(Protocol):
+    """What a panel also has if it must put things in order before another one takes its place."""
+
+    def end(self) -> None:
+        """Called once, when another scenario has come."""
         ...
 
 

@@ -20,7 +20,8 @@ export { decodeFrame, decodeTable };
 
 const SLACK = 5; // CSS pixels by which a click may miss a small disc
 
-// options: session (id), renderer ("cpu", "gl", else by probe), onPick(row or null), onNotice({ kind, ... })
+// options: session (id), renderer ("cpu", "gl", else by probe), guest (a second box on the page), onPick(row or null),
+// onNotice({ kind, ... })
 export function createLab(element, options) {
   return new Lab(element, options);
 }
@@ -37,7 +38,7 @@ function kin({ shape, width, height, names, walls }) {
 }
 
 class Lab {
-  constructor(element, { session, renderer, onPick, onNotice }) {
+  constructor(element, { session, renderer, guest, onPick, onNotice }) {
     installStyle();
     element.classList.add("gasbox-lab");
     this.element = element;
@@ -48,7 +49,8 @@ class Lab {
     this.message = new Message(element);
     this.tip = new Tip(element);
     this.renderer = this.makeRenderer(chooseRenderer(renderer));
-    this.stats = window.gasboxStats = new Stats(this.renderer.name);
+    this.stats = new Stats(this.renderer.name);
+    window[guest ? "gasboxGuestStats" : "gasboxStats"] = this.stats;
     this.table = this.frame = null;
     this.ticket = 0;
     this.unwatch = watchTheme(() => this.restyle());
@@ -68,6 +70,7 @@ class Lab {
     this.socket = new FrameSocket(session, {
       onFrame: () => this.schedule(),
       onText: (message) => this.hear(message),
+      guest,
     });
   }
 

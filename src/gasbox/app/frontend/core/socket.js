@@ -9,9 +9,11 @@ const KEY = "gasbox-session";
 const RELOADED = "gasbox-reloaded";
 
 export class FrameSocket {
-  // onFrame() is called when there is something in the backlog; onText(message) for the rest.
-  constructor(session, { onFrame, onText }) {
+  // onFrame() is called when there is something in the backlog; onText(message) for the rest. The session of a guest is
+  // not the one that a page comes back to when it is loaded again.
+  constructor(session, { onFrame, onText, guest = false }) {
     this.session = session;
+    this.guest = guest;
     this.onFrame = onFrame;
     this.onText = onText;
     this.backlog = new Backlog(); // of ArrayBuffers
@@ -26,7 +28,7 @@ export class FrameSocket {
 
   connect() {
     const scheme = location.protocol === "https:" ? "wss" : "ws";
-    const previous = sessionStorage.getItem(KEY);
+    const previous = this.guest ? null : sessionStorage.getItem(KEY);
     const query = previous && previous !== this.session ? `?previous=${encodeURIComponent(previous)}` : "";
     this.socket = new WebSocket(`${scheme}://${location.host}/gasbox/frames/${this.session}${query}`);
     this.socket.binaryType = "arraybuffer";
@@ -44,8 +46,7 @@ export class FrameSocket {
       if (message.kind === "table") {
         this.delay = 250;
         this.backlog.clear(); // it relies on the table before
-        sessionStorage.setItem(KEY, this.session);
-        sessionStorage.removeItem(RELOADED);
+        if (!this.guest) this.remember();
       }
       this.onText(message);
       return;
@@ -53,6 +54,11 @@ export class FrameSocket {
     this.received++;
     this.backlog.put(data);
     this.onFrame();
+  }
+
+  remember() {
+    sessionStorage.setItem(KEY, this.session);
+    sessionStorage.removeItem(RELOADED);
   }
 
   // Cumulative, so that dropped frames and lost acks cannot use up the window.
@@ -68,7 +74,7 @@ export class FrameSocket {
 
   closed(code) {
     if (this.ended || code === REPLACED) return;
-    if (code === GONE) return this.reload();
+    if (code === GONE && !this.guest) return this.reload();
     if (code !== BUSY) this.onText({ kind: "lost" });
     this.delay = code === BUSY ? 5000 : Math.min(2 * this.delay, 3000);
     this.timer = setTimeout(() => this.connect(), this.delay);

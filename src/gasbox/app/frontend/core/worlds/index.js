@@ -5,6 +5,7 @@
 //   key(event, down) and pointer(x, y, event): whether it was for the world; x, y in the box [length]
 //   destroy()
 // All but the constructor and `draw` may be left out.
+import { EpidemicWorld } from "./epidemic.js";
 import { PongWorld } from "./pong.js";
 
-export const WORLDS = { pong: PongWorld };
+export const WORLDS = { pong: PongWorld, epidemic: EpidemicWorld };

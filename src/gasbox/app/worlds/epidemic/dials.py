@@ -1,0 +1,174 @@
+"""Which controls the settings of an epidemic have, and how far their sliders go. Without any page."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from gasbox.scenario.setting import Setting
+
+__all__ = ["GROUPS", "Dial", "Group", "dials"]
+
+_MANY: Final = 100.0
+"""Where sliders of numbers of people end at first."""
+
+
+@dataclass(frozen=True)
+class Group:
+    """Settings under one heading.
+
+    Attributes
+    ----------
+    measure : name in the world's ``active`` that says whether it is acting now; empty of what always acts
+    labels : name of a setting -> what its slider is called, and where it ends at first; None at the greatest value
+    """
+
+    title: str
+    measure: str
+    labels: Mapping[str, tuple[str, float | None]]
+
+
+GROUPS: Final[tuple[Group, ...]] = (
+    Group(
+        "Disease",
+        "",
+        {
+            "probability_per_day": ("infection rate", 1.0),
+            "probability": ("infection by a contact", None),
+            "radius": ("infection radius", 0.0),
+            "exposed_days": ("exposed for", 14.0),
+            "infectious_days": ("infectious for", 20.0),
+            "symptomatic": ("with symptoms", None),
+            "asymptomatic_infectiousness": ("infectivity without", None),
+            "fatality": ("deaths among them", None),
+        },
+    ),
+    Group(
+        "Hygiene & distance",
+        "distancing",
+        {
+            "hygiene": ("risk left by hygiene", None),
+            "distancing": ("keeping distance", 4.0),
+            "distancing_fraction": ("who takes part", None),
+            "distancing_trigger": ("begins at cases", _MANY),
+        },
+    ),
+    Group(
+        "Quarantine",
+        "quarantine",
+        {
+            "quarantine_probability": ("cases that are found", None),
+            "quarantine_delay": ("found after", 10.0),
+            "quarantine_trigger": ("begins at cases", _MANY),
+        },
+    ),
+    Group(
+        "Travel & places",
+        "travel",
+        {
+            "travel_rate": ("journeys", 0.5),
+            "travel_restricted_to": ("restricted to", 0.5),
+            "travel_trigger": ("restricted at cases", _MANY),
+            "central_visits": ("visits to the centre", 2.0),
+            "central_stay": ("length of a visit", 2.0),
+        },
+    ),
+    Group(
+        "Vaccination",
+        "",
+        {
+            "vaccination_per_day": ("vaccinated", 0.2),
+            "vaccination_efficacy": ("that protects", None),
+        },
+    ),
+)
+"""Headings in the order in which they are shown."""
+
+
+@dataclass(frozen=True)
+class Dial:
+    """One slider. Its places go from 0 to 1.
+
+    Attributes
+    ----------
+    low, high : values at its ends
+    steep : whether the value goes with the square of the place, so that small values have room
+    """
+
+    name: str
+    label: str
+    setting: Setting
+    low: float
+    high: float
+    steep: bool
+
+    @property
+    def unit(self) -> str:
+        """As it stands beside the value."""
+        return {"1/day": "/ day", "day": "days", "length": ""}.get(self.setting.unit, self.setting.unit)
+
+    @property
+    def hint(self) -> str:
+        """What it means, with its unit and what it may be."""
+        one = self.setting
+        unit = f" [{one.unit}]" if one.unit else ""
+        return f"{one.meaning[:1].upper()}{one.meaning[1:]}{unit}, from {one.least:g} to {one.greatest:g}"
+
+    def place(self, value: float) -> float:
+        """Where the slider stands for a value; values beyond its ends stand at them."""
+        share = (value - self.low) / (self.high - self.low)
+        share = min(max(share, 0.0), 1.0)
+        return round(math.sqrt(share) if self.steep else share, 3)
+
+    def value(self, place: float) -> float:
+        """The value for a place of the slider, with no more digits than a hand can mean."""
+        share = place * place if self.steep else place
+        exact = self.low + share * (self.high - self.low)
+        if self.setting.unit == "" and self.high > 1.0 and self.low == 0.0 and self.high >= _MANY:
+            return float(round(exact))
+        return max(self.setting.least, float(f"{exact:.2g}"))
+
+
+def dials(
+    settings: Mapping[str, Setting], values: Mapping[str, float], people: int
+) -> list[tuple[Group, list[Dial]]]:
+    """The groups that have any settings, with their sliders.
+
+    Parameters
+    ----------
+    settings : all that there are, of `Epidemic.SETTINGS`
+    values : of those that this epidemic has, at its start
+    people : how many there are
+    """
+    found = [(group, _of_group(group, settings, values, people)) for group in GROUPS]
+    known = {name for group in GROUPS for name in group.labels}
+    rest = Group("More", "", {name: (name.replace("_", " "), None) for name in values if name not in known})
+    found.append((rest, _of_group(rest, settings, values, people)))
+    return [(group, mine) for group, mine in found if mine]
+
+
+def _of_group(
+    group: Group, settings: Mapping[str, Setting], values: Mapping[str, float], people: int
+) -> list[Dial]:
+    return [
+        _dial(name, label, top, settings[name], values[name], people)
+        for name, (label, top) in group.labels.items()
+        if name in values and name in settings
+    ]
+
+
+def _dial(name: str, label: str, top: float | None, setting: Setting, value: float, people: int) -> Dial:
+    low = setting.least if setting.unit != "length" else 0.0
+    if top is None:
+        return Dial(name, label, setting, low, min(setting.greatest, 100.0), steep=False)
+    wanted: Iterable[float] = (top, _MANY, 0.1 * people) if top == _MANY else (top, 2.5 * value)
+    high = min(_rounded_up(max(wanted)), setting.greatest)
+    return Dial(name, label, setting, low, high, steep=name != "radius")
+
+
+def _rounded_up(value: float) -> float:
+    """To 1, 2, or 5 times a power of ten."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return next(unit * power for unit in (1.0, 2.0, 5.0, 10.0) if unit * power >= 0.999999 * value)

@@ -1,0 +1,228 @@
+"""The panel of an epidemic: measures under the box, curves and numbers beside it, and two runs compared."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Any, Literal
+
+from nicegui import background_tasks, ui
+
+from gasbox.app.sample import Sample
+from gasbox.app.session import Session
+from gasbox.app.worlds.epidemic import options
+from gasbox.app.worlds.epidemic.course import Course, marks
+from gasbox.app.worlds.epidemic.dials import dials
+from gasbox.app.worlds.epidemic.figures import Numbers
+from gasbox.app.worlds.epidemic.measures import Measures, settings_of
+from gasbox.app.worlds.epidemic.pair import Pair
+from gasbox.app.worlds.epidemic.plot import Plot
+from gasbox.app.worlds.panel import Send
+from gasbox.errors import GasboxError
+from gasbox.scenario import Scenario
+from gasbox.scenario.epidemic import Epidemic
+from gasbox.state import SetWorld
+
+__all__ = ["EpidemicPanel"]
+
+_SLOW = 30.0
+"""Frames per second below which charts are drawn half as often: the boxes come first."""
+
+
+class EpidemicPanel:
+    """Sliders in the slot that is open, charts in the element `charts`.
+
+    There is one run; or it and an earlier one that was kept; or two that run beside each other.
+    """
+
+    charts: Literal["none", "own", "all"] = "own"
+
+    def __init__(self, session: Session, send: Send, charts: ui.element) -> None:
+        self._session, self._send = session, send
+        self._measures: Measures | None = None
+        self._values: dict[str, float] = {}
+        self._version = -1
+        self._beats = 0
+        self._kept: Course | None = None
+        self._last: Course | None = None
+        self.pair: Pair | None = None
+        self._busy = False
+        with ui.element("div").classes("epidemic") as self._root:
+            self._build_head()
+            self._slot = ui.element("div").classes("measures")
+        with charts:
+            self.numbers = Numbers()
+            self._plots: dict[str, Plot] = {}
+            self._slots = ui.element("div").classes("epidemic-plots")
+        self._arrange()
+
+    # -- building ------------------------------------------------------------------------------------------------
+
+    def _build_head(self) -> None:
+        with ui.element("div").classes("epidemic-head") as self._head:
+            self._whose = (
+                ui.toggle({"a": "A", "b": "B"}, value="b", on_change=self._turned)
+                .props('dense unelevated no-caps aria-label="Whose measures the sliders show and set"')
+                .classes("whose")
+                .mark("whose")
+            )
+            self._say = ui.label("").classes("hint say").mark("compare-say")
+            self._keep = self._button("push_pin", "Keep curve", "keep", self.keep)
+            self._keep.tooltip("Keep this run's curve as A, and begin again from the same seed as B")
+            self._side = self._button("compare", "Side by side", "side-by-side", self.side_by_side)
+            self._side.tooltip("A second box from the same seed, with measures of its own")
+            self._end = self._button("close", "End comparison", "end-compare", self.alone)
+
+    @staticmethod
+    def _button(icon: str, text: str, mark: str, action: Any) -> ui.button:
+        button = ui.button(text, icon=icon, on_click=action, color=None).props("flat dense no-caps")
+        return button.classes("compare-button").mark(mark)
+
+    def _build(self, scenario: Scenario, view: dict[str, Any]) -> None:
+        people, counts = int(view["people"]), view["counts"]
+        colors = {kind.name: kind.color for kind in scenario.kinds}
+        with self._slot:
+            self._measures = Measures(dials(Epidemic.SETTINGS, settings_of(view), people), self._choose)
+        with self._slots:
+            self._plots = {
+                "runs": Plot("runs", "Infected people", options.runs),
+                "stages": Plot("stages", "Everybody", lambda: options.stages(list(counts), colors, people)),
+                "spread": Plot("spread", "Reproduction number", options.spread),
+            }
+        self._arrange()
+
+    def _arrange(self) -> None:
+        """Show what belongs to one run, to a kept one, or to two."""
+        comparing = self._kept is not None or self.pair is not None
+        self._head.classes(add="comparing" if comparing else None, remove=None if comparing else "comparing")
+        self._whose.set_visibility(self.pair is not None)
+        self._end.set_visibility(comparing)
+        self._keep.set_visibility(self.pair is None)
+        self._side.set_visibility(self.pair is None)
+        if "runs" in self._plots:
+            self._plots["runs"].see(comparing)
+        self._say.set_text(
+            "Same seed. Set the measures of A and of B, then play."
+            if self.pair is not None
+            else "A is kept. Set other measures, then play."
+            if self._kept is not None
+            else ""
+        )
+
+    # -- what is asked for ---------------------------------------------------------------------------------------
+
+    def _choose(self, name: str, value: float) -> None:
+        self._values[name] = value
+        change = SetWorld(name, value)
+        if self.pair is None or self._whose.value == "a":
+            self._send(change)
+        else:
+            background_tasks.create(self._send_second(self.pair.second, change), name="change of run B")
+
+    async def _send_second(self, second: Session, change: SetWorld) -> None:
+        try:
+            await asyncio.wrap_future(second.change(change))
+        except (GasboxError, asyncio.CancelledError) as error:
+            self._tell(str(error) or "The second run has ended.")
+
+    def _turned(self) -> None:
+        if self._measures is not None:
+            self._measures.forget()
+
+    def _tell(self, text: str) -> None:
+        with self._root:
+            ui.notify(text, type="warning")
+
+    async def keep(self) -> None:
+        """Keep the curve of this run, and begin again from the same seed, paused, with the measures as they are set."""
+        if self._last is None or self._busy:
+            return
+        self._busy = True
+        kept, wanted = self._last, dict(self._values)
+        self._session.pause()
+        await asyncio.wrap_future(self._session.reset())
+        try:
+            sample = self._session.sample()
+            begun = {} if sample is None else settings_of(sample.world)
+            for name, value in wanted.items():
+                if begun.get(name) != value:
+                    await asyncio.wrap_future(self._session.change(SetWorld(name, value)))
+        except GasboxError as error:
+            self._tell(str(error))
+        self._busy = False
+        self._kept = kept
+        self._arrange()
+
+    async def side_by_side(self) -> None:
+        """Open the second box: A as the scenario says, B with the measures as they are set."""
+        if self._busy or self.pair is not None:
+            return
+        self._busy = True
+        wanted = dict(self._values)
+        try:
+            with self._root:
+                self.pair = await Pair.opened(self._session, wanted)
+            self._kept = None
+        except GasboxError as error:
+            self._tell(f"{str(error)[:1].upper()}{str(error)[1:]}.")
+        self._busy = False
+        self._turned()
+        self._arrange()
+
+    async def alone(self) -> None:
+        """Back to one run."""
+        self._kept = None
+        await self._part()
+        self._turned()
+        self._arrange()
+
+    async def _part(self) -> None:
+        pair, self.pair = self.pair, None
+        ending = None if pair is None else pair.end()
+        if ending is not None:
+            await ending
+
+    def end(self) -> None:
+        """Another scenario has come."""
+        if self.pair is not None:
+            background_tasks.create(self._part(), name="end of run B")
+
+    # -- what is shown -------------------------------------------------------------------------------------------
+
+    def show(self, sample: Sample) -> None:
+        """Bring sliders, numbers and charts up to date."""
+        view = sample.world
+        if not view:
+            return
+        if self._measures is None:
+            self._build(sample.scenario, view)
+        assert self._measures is not None
+        other = None if self.pair is None else self.pair.sample()
+        theirs = view if other is None or self._whose.value == "a" else other.world
+        self._values = settings_of(theirs)
+        self._measures.show(self._values, theirs.get("active", {}))
+        if self._version != sample.version:
+            self._version = sample.version
+            self._beats = 0
+        self._beats += 1
+        struggles = sample.playing and 0 < sample.shown_fps < _SLOW
+        if self._beats % (4 if struggles else 2) == 1:
+            self._draw(sample, other)
+
+    def _draw(self, sample: Sample, other: Sample | None) -> None:
+        course = Course.of(sample.world, sample.series)
+        self._last = course
+        first, second = course, None
+        if self._kept is not None:
+            first, second = self._kept, course
+        elif other is not None and other.world:
+            second = Course.of(other.world, other.series)
+        self.numbers.show(first, second, "")
+        shown = other if other is not None and other.world and self._whose.value == "b" else sample
+        day = float(getattr(sample.scenario.world, "day", 1.0))
+        which = "" if other is None else f"run {self._whose.value.upper()}"
+        self._plots["stages"].tell(options.stages_now(shown.series, marks(shown.changes, day)), which)
+        self._plots["spread"].tell(
+            options.spread_now(sample.series, None if other is None or not other.series else other.series)
+        )
+        if second is not None:
+            self._plots["runs"].tell(options.runs_now(first, second))
