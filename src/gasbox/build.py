@@ -15,6 +15,7 @@ from gasbox.kernels.forced.bath import T_TO
 from gasbox.observe import temperature
 from gasbox.protocols import Dynamics, World
 from gasbox.scenario import (
+    Epidemic,
     EventDriven,
     Forced,
     Forces,
@@ -22,6 +23,7 @@ from gasbox.scenario import (
     Scenario,
     Snapshot,
     Stepped,
+    Walk,
     pair_laws,
     starting_temperature,
 )
@@ -37,7 +39,7 @@ from gasbox.state import (
     Surrounding,
     Tallies,
 )
-from gasbox.worlds import PongGame, Replies
+from gasbox.worlds import Outbreak, PongGame, Replies
 
 __all__ = ["Parts", "build"]
 
@@ -130,6 +132,8 @@ def _world(scenario: Scenario) -> World | None:
             return None
         case Pong():
             return PongGame(scenario)
+        case Epidemic():
+            return Outbreak(scenario)
     raise ScenarioError([Problem("world", scenario.world.kind, "a world that is there")])
 
 
@@ -145,6 +149,8 @@ def _memory(scenario: Scenario) -> Memory | None:
             return memory if "epoch" in memory else None
         case Forced():
             return memory if "forced_step" in memory else None
+        case Walk():
+            return memory if "walk_step" in memory else None
 
 
 def _dynamics(
@@ -162,6 +168,9 @@ def _dynamics(
         case Forced():
             settings = _forced_settings(scenario, state)
             return rules.Forced(state, geometry, settings, tallies, contacts, memory, threads, scenario.seed)
+        case Walk():
+            way = rules.walk_settings(scenario)
+            return rules.Walk(state, geometry, way, tallies, contacts, memory, scenario.seed)
 
 
 def _calm(state: State, geometry: Geometry, scenario: Scenario) -> list[str]:
@@ -271,7 +280,7 @@ def _frame_interval(scenario: Scenario, state: State, geometry: Geometry) -> flo
     """The scenario's own, else one step, else so that the motion is pleasant to watch (rounded to 1, 2 or 5)."""
     if scenario.frame_interval is not None:
         return scenario.frame_interval
-    if isinstance(scenario.dynamics, Stepped):
+    if isinstance(scenario.dynamics, Stepped | Walk):
         return scenario.dynamics.time_step
     if isinstance(scenario.dynamics, Forced):
         return _STEPS_A_FRAME * scenario.dynamics.time_step

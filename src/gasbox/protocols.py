@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.geometry import Geometry
-from gasbox.state import Contacts, Control, Memory, Reply, SetWorld, State, Tallies
+from gasbox.state import Contacts, Control, Memory, Reply, SetWalkers, SetWorld, State, Tallies
 
-__all__ = ["Controlled", "Dynamics", "Observer", "Status", "Warns", "World"]
+__all__ = ["Controlled", "Dynamics", "Led", "Observer", "Status", "Warns", "World"]
 
 
 class Status(IntEnum):
@@ -79,6 +79,15 @@ class Warns(Protocol):
 
     def warnings(self) -> tuple[str, ...]:
         """Sentences on what went wrong in this run so far, and what helps."""
+        ...
+
+
+@runtime_checkable
+class Led(Protocol):
+    """What a dynamics also has if each of its particles can be told where to go."""
+
+    def lead(self, state: State, change: SetWalkers) -> None:
+        """Let some walk otherwise, from the time of the state on."""
         ...
 
 

@@ -33,8 +33,30 @@ class Stream(IntEnum):
     """How molecules are turned at the start."""
     LANGEVIN_SPIN = 9
     """Kicks of the Langevin thermostat on rotation."""
+    WALK_TURNS = 15
+    """By how much walkers turn in a step; drawn in `gasbox.kernels.walk.advance`."""
+    WALK_START = 16
+    """Where walkers start who stand in no room, and in which direction."""
     PONG = 20
     """How balls are served, and how the computer errs."""
+    INFECTION = 21
+    """Who is infected in a step, and by whom; this and those up to 25 are drawn in `gasbox.kernels.epidemic`."""
+    CONTACT = 22
+    """Whether a collision infects."""
+    EXPOSED_TIME = 23
+    """How long one is exposed."""
+    INFECTIOUS_TIME = 24
+    """How long one is infectious."""
+    FATE = 25
+    """Who gets symptoms, is found, dies, keeps a distance."""
+    TRAVEL = 26
+    """Who travels, and where to."""
+    VISIT = 27
+    """Who visits a central place, and where one stands there."""
+    VACCINATION = 28
+    """Who is vaccinated, and with success."""
+    QUARANTINE = 29
+    """Where one stands in quarantine, and after it."""
 
 
 def generator(seed: int, stream: Stream, index: int = 0) -> np.random.Generator:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gasbox.scenario import Kind, Scenario, Stepped
+from gasbox.scenario import Kind, Scenario, Stepped, Walk
 from gasbox.scenario.container import CircleContainer, PolygonContainer, RectangleContainer
 
 __all__ = ["describe", "describe_molecules", "particle_count", "try_start"]
@@ -91,7 +91,7 @@ def try_start(scenario: Scenario) -> None:
     ScenarioError
         Discs overlap, and the dynamics knows no overlaps; or there is no room for so many molecules.
     """
-    listed = scenario.particles is not None and not isinstance(scenario.dynamics, Stepped)
+    listed = scenario.particles is not None and not isinstance(scenario.dynamics, Stepped | Walk)
     if scenario.snapshot is not None or not (listed or scenario.molecules):
         return
     from gasbox.cli.progress import compile_first

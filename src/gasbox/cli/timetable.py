@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gasbox.errors import UsageError
-from gasbox.scenario import Stepped
+from gasbox.scenario import Stepped, Walk
 from gasbox.simulation import Simulation
 from gasbox.state import Frame
 
@@ -90,7 +90,7 @@ class _Pace:
 def _short_time(simulation: Simulation) -> float:
     """Simulated time [time] in which little happens, but that takes longer to simulate than to ask for."""
     dynamics = simulation.scenario.dynamics
-    if isinstance(dynamics, Stepped):
+    if isinstance(dynamics, Stepped | Walk):
         return dynamics.time_step
     fastest = float(np.max(np.abs(simulation.state.velocity), initial=0.0))
     crossing = float(np.min(simulation.geometry.size)) / fastest if fastest > 0 else math.inf
@@ -102,10 +102,10 @@ def _check(simulation: Simulation, interval: float) -> None:
         raise UsageError(f"--record-every is {interval:g}; it must be above zero")
     dynamics = simulation.scenario.dynamics
     if (
-        isinstance(dynamics, Stepped)
+        isinstance(dynamics, Stepped | Walk)
         and abs(math.remainder(interval, dynamics.time_step)) > _ROUNDING * interval
     ):
         raise UsageError(
-            f"--record-every is {interval:g}; under the stepped rule it must be a whole multiple of the time "
+            f"--record-every is {interval:g}; under the {dynamics.kind} rule it must be a whole multiple of the time "
             f"step, {dynamics.time_step:g}"
         )

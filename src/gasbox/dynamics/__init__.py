@@ -6,14 +6,18 @@ from gasbox.dynamics.forced import Forced, ForcedSettings
 from gasbox.dynamics.pair_terms import pair_terms
 from gasbox.dynamics.relax import relax, step_warning
 from gasbox.dynamics.stepped import Stepped
+from gasbox.dynamics.walk import Walk, WalkSettings, walk_settings
 
 __all__ = [
     "EventDriven",
     "Forced",
     "ForcedSettings",
     "Stepped",
+    "Walk",
+    "WalkSettings",
     "altered",
     "pair_terms",
     "relax",
     "step_warning",
+    "walk_settings",
 ]

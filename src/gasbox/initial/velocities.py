@@ -90,9 +90,9 @@ def _of_species(species: Kind, count: int, random: np.random.Generator) -> NDArr
     if species.speed is not None:
         angle = random.uniform(0, 2 * math.pi, count)
         return species.speed * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    assert (
-        species.temperature is not None
-    )  # by the scenario's rules, a counted species has one source of velocities
+    if species.temperature is None:
+        # Only people who walk need none: they look anywhere, and walk at their own speed.
+        return np.zeros((count, 2))
     return math.sqrt(species.temperature / species.mass) * random.standard_normal((count, 2))
 
 

@@ -17,8 +17,9 @@ from gasbox.scenario.container import (
 )
 from gasbox.scenario.demon import Demon
 from gasbox.scenario.density import MIXTURE_LIMIT, ONE_SIZE_LIMIT, Crowd, centre_bounds
-from gasbox.scenario.dynamics import EventDriven, Forced, Stepped
+from gasbox.scenario.dynamics import EventDriven, Forced, Rooms, Stepped, Walk
 from gasbox.scenario.epidemic import Epidemic
+from gasbox.scenario.epidemic_rules import STAGES, lacking, reason_against
 from gasbox.scenario.forces import Charges, Forces, PairForces
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.json_schema import schema
@@ -28,6 +29,7 @@ from gasbox.scenario.obstacles import BlockObstacle, Obstacle, PostObstacle, Seg
 from gasbox.scenario.pair_laws import PairLaw, pair_laws
 from gasbox.scenario.particles import Particles
 from gasbox.scenario.placement import Placement
+from gasbox.scenario.places import Places, places_of
 from gasbox.scenario.pong import Pong
 from gasbox.scenario.reading import load, parse, shipped
 from gasbox.scenario.scenario import Scenario
@@ -43,6 +45,7 @@ from gasbox.scenario.walls import WallSettings
 __all__ = [
     "MIXTURE_LIMIT",
     "ONE_SIZE_LIMIT",
+    "STAGES",
     "Barostat",
     "Bend",
     "BlockObstacle",
@@ -66,12 +69,14 @@ __all__ = [
     "PairLaw",
     "Particles",
     "Placement",
+    "Places",
     "PolygonContainer",
     "Pong",
     "PostObstacle",
     "RectangleContainer",
     "Region",
     "RegularPolygonContainer",
+    "Rooms",
     "Scenario",
     "ScheduledChange",
     "SegmentObstacle",
@@ -82,11 +87,15 @@ __all__ = [
     "Thermostat",
     "Units",
     "VelocityRescaling",
+    "Walk",
     "WallSettings",
     "centre_bounds",
+    "lacking",
     "load",
     "pair_laws",
     "parse",
+    "places_of",
+    "reason_against",
     "schema",
     "shipped",
     "sites_of",

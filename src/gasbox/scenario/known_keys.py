@@ -6,7 +6,17 @@ from typing import Final
 
 from gasbox.scenario.baths import Barostat, BarostatAim, Heating, Langevin, ThermostatAim, VelocityRescaling
 from gasbox.scenario.container import SHAPES
-from gasbox.scenario.dynamics import KINDS
+from gasbox.scenario.dynamics import KINDS, Rooms
+from gasbox.scenario.epidemic import (
+    ByCloseness,
+    ByContact,
+    Central,
+    Distancing,
+    Duration,
+    Quarantine,
+    Travel,
+    Vaccination,
+)
 from gasbox.scenario.forces import Charges, Forces, PairForces
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.molecules import Atom, Bend, Bond, Molecule
@@ -57,6 +67,8 @@ KNOWN_KEYS: Final[KnownKeys] = {
     ("molecules", "angles"): keys_of(Bend),
     ("molecules", "region"): keys_of(Region),
     ("dynamics",): keys_of(*KINDS.values()),
+    ("dynamics", "rooms"): keys_of(Rooms),
+    ("dynamics", "rooms", "region"): keys_of(Region),
     ("forces",): keys_of(Forces),
     ("forces", "pairs"): keys_of(PairForces),
     ("forces", "charges"): keys_of(Charges),
@@ -64,6 +76,15 @@ KNOWN_KEYS: Final[KnownKeys] = {
     ("barostat",): keys_of(Barostat),
     ("heating",): keys_of(Heating),
     ("world",): keys_of(*WORLDS.values()),
+    ("world", "transmission"): keys_of(ByCloseness, ByContact),
+    ("world", "exposed"): keys_of(Duration),
+    ("world", "infectious"): keys_of(Duration),
+    ("world", "distancing"): keys_of(Distancing),
+    ("world", "quarantine"): keys_of(Quarantine),
+    ("world", "quarantine", "box"): keys_of(Region),
+    ("world", "travel"): keys_of(Travel),
+    ("world", "central"): keys_of(Central),
+    ("world", "vaccination"): keys_of(Vaccination),
     ("world", "players"): keys_of(Players),
     ("units",): keys_of(Units),
     ("histograms",): keys_of(Histograms),

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from gasbox.scenario.baths import Barostat, Heating, Thermostat
 from gasbox.scenario.container import Container
-from gasbox.scenario.dynamics import EventDriven, Forced, Stepped
+from gasbox.scenario.dynamics import EventDriven, Forced, Stepped, Walk
 from gasbox.scenario.forces import Forces
 from gasbox.scenario.histograms import Histograms
 from gasbox.scenario.kinds import Kind, anatomy, sound_kinds
@@ -31,7 +31,7 @@ class Parts:
     container: Container | None
     species: tuple[Species | None, ...]
     particles: Particles | None
-    dynamics: Stepped | EventDriven | Forced | None
+    dynamics: Stepped | EventDriven | Forced | Walk | None
     frame_interval: float | None
     histograms: Histograms | None
     snapshot: Snapshot | None

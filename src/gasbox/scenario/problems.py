@@ -18,12 +18,14 @@ KnownKeys = Mapping[tuple[str, ...], tuple[str, ...]]
 """Path without indices -> the keys known there."""
 
 _UNIONS: Final[Mapping[str, tuple[str, ...]]] = {
-    "dynamics": ("stepped", "event-driven", "forced"),
+    "dynamics": ("stepped", "event-driven", "forced", "walk"),
     "container": ("rectangle", "circle", "polygon", "regular-polygon"),
     "obstacles": ("segment", "polygon", "disc"),
     "motion": ("constant", "path", "sinusoid", "piston"),
     "thermostat": ("langevin", "velocity-rescaling", "aim", "off"),
     "barostat": ("aim", "off"),
+    "world": ("pong", "epidemic", "demon"),
+    "transmission": ("closeness", "contact"),
 }
 """Key of a union -> its tags. pydantic puts the tag into the location; a person never wrote it there."""
 _TAGS: Final = frozenset(tag for tags in _UNIONS.values() for tag in tags)

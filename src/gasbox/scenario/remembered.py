@@ -19,7 +19,7 @@ _MOST: Final = 2**62
 """Counts stay below, so that they can go on counting in 64 bits."""
 _OF_WALL: Final = 8
 """Numbers by which the motion of a wall is remembered."""
-_COUNTS: Final = frozenset({"epoch", "step", "forced_step"})
+_COUNTS: Final = frozenset({"epoch", "step", "forced_step", "walk_step"})
 """Whole numbers."""
 _OF_BATHS: Final = 13
 """Numbers by which thermostat, barostat and heating are remembered."""
@@ -101,6 +101,9 @@ def _shapes(memory: dict[str, Any], particles: int, discs: int, walls: int) -> d
         if discs > particles:
             shapes |= dict.fromkeys(("site_position", "site_velocity", "site_shift"), (discs, 2))
         shapes |= {"drive": (_OF_BATHS,), "drive_said": (_OF_BATHS,)}
+    if "walk_step" in memory:
+        shapes |= {"walk_step": (), "walk_heading": vectors, "walk_target": vectors}
+        shapes |= dict.fromkeys(("walk_place", "walk_going", "walk_distancing", "walk_pace"), row)
     if "walls" in memory:
         shapes["walls"] = (walls, _OF_WALL)
     return shapes

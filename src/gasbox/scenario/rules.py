@@ -11,7 +11,8 @@ import numpy as np
 from gasbox.errors import Problem
 from gasbox.geometry import Enclosure, Geometry, Rectangle, side_count
 from gasbox.scenario.crowding import crowding_problems, glide_problems
-from gasbox.scenario.dynamics import Forced, Stepped
+from gasbox.scenario.dynamics import Forced, Stepped, Walk
+from gasbox.scenario.epidemic_rules import epidemic_problems
 from gasbox.scenario.falling import falling_problems
 from gasbox.scenario.forced_rules import forced_problems
 from gasbox.scenario.kinds import site_kinds_of
@@ -27,6 +28,7 @@ from gasbox.scenario.sizes import region_problems, size_problems
 from gasbox.scenario.standing import container_problems, obstacle_problems
 from gasbox.scenario.surroundings import geometry_of, surroundings
 from gasbox.scenario.values import LARGEST_COUNT
+from gasbox.scenario.walk_rules import walk_problems
 from gasbox.scenario.wall_rules import wall_problems
 
 __all__ = ["broken_rules"]
@@ -50,6 +52,8 @@ def broken_rules(parts: Parts) -> list[Problem]:
         forced_problems,
         molecule_problems,
         molecule_wall_problems,
+        walk_problems,
+        epidemic_problems,
         pong_problems,
     )
     problems = [problem for rule in rules for problem in rule(parts)]
@@ -103,7 +107,7 @@ def _velocities(parts: Parts) -> Iterator[Problem]:
         given = [source for source in _SOURCES if getattr(species, source) is not None]
         if len(given) > 1:
             yield Problem(f"species[{number}]", " and ".join(given), f"only one of {', '.join(_SOURCES)}")
-        elif not given and species.count > 0:
+        elif not given and species.count > 0 and not isinstance(parts.dynamics, Walk):
             allowed = f"{species.count} discs need velocities: give one of {', '.join(_SOURCES)}"
             yield Problem(f"species[{number}]", "none of them", allowed)
         if species.velocities is not None and len(species.velocities) != species.count:
@@ -155,7 +159,7 @@ def _listed_positions(parts: Parts, geometry: Geometry) -> Iterator[Problem]:
 
 
 def _frames(parts: Parts) -> Iterator[Problem]:
-    if not isinstance(parts.dynamics, Stepped | Forced) or parts.frame_interval is None:
+    if not isinstance(parts.dynamics, Stepped | Forced | Walk) or parts.frame_interval is None:
         return
     step, interval = parts.dynamics.time_step, parts.frame_interval
     steps = round(interval / step)

@@ -11,9 +11,19 @@ from numpy.typing import NDArray
 
 from gasbox.errors import UsageError
 from gasbox.initial import separate, worst_overlap
-from gasbox.protocols import World
+from gasbox.protocols import Led, World
 from gasbox.scenario import EventDriven
-from gasbox.state import Memory, MoveWall, RemoveParticles, Reply, SetGate, SetGravity, SetParticles, SetWall
+from gasbox.state import (
+    Memory,
+    MoveWall,
+    RemoveParticles,
+    Reply,
+    SetGate,
+    SetGravity,
+    SetParticles,
+    SetWalkers,
+    SetWall,
+)
 from gasbox.worlds import Replies
 
 if TYPE_CHECKING:
@@ -83,6 +93,10 @@ class Guide:
                 case SetParticles():
                     changed |= self._set(reply)
                     crowded |= reply.position is not None or reply.species is not None
+                case SetWalkers():
+                    if not isinstance(self._simulation.dynamics, Led):
+                        raise UsageError("the world has told particles where to go that cannot walk")
+                    self._simulation.dynamics.lead(self._simulation.state, reply)
                 case RemoveParticles(ids=ids):
                     self._simulation.state.keep(~np.isin(self._simulation.state.id, ids))
                     changed = True

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from gasbox.errors import UsageError
 from gasbox.protocols import Observer
-from gasbox.scenario import Forced, Scenario, Stepped
+from gasbox.scenario import Forced, Scenario, Stepped, Walk
 from gasbox.simulation.simulation import Simulation
 from gasbox.state import Frame
 
@@ -69,7 +69,7 @@ def _frames(simulation: Simulation, until: float | None, frames: int | None, eve
         raise UsageError(f"the time between frames is {every:g}; it must be above zero")
     dynamics = simulation.scenario.dynamics
     if (
-        isinstance(dynamics, Stepped | Forced)
+        isinstance(dynamics, Stepped | Forced | Walk)
         and abs(math.remainder(every, dynamics.time_step)) > 1e-6 * every
     ):
         raise UsageError(

@@ -14,7 +14,7 @@ from gasbox.build import build
 from gasbox.dynamics import altered
 from gasbox.errors import UsageError
 from gasbox.protocols import Controlled, Observer, Status, World
-from gasbox.scenario import Scenario, ScheduledChange, Stepped, load
+from gasbox.scenario import Scenario, ScheduledChange, Stepped, Walk, load
 from gasbox.simulation import snapshot, summary
 from gasbox.simulation.guide import Guide
 from gasbox.state import (
@@ -267,7 +267,7 @@ class Simulation:
     @property
     def scenario_in_use(self) -> Scenario:
         """The scenario with the frame interval that was chosen for it, so that who goes on keeps it."""
-        if isinstance(self.scenario.dynamics, Stepped):
+        if isinstance(self.scenario.dynamics, Stepped | Walk):
             # There it is the time step, which may be changed later.
             return self.scenario
         return self.scenario.model_copy(update={"frame_interval": self.frame_interval})

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from gasbox import observe
 from gasbox.geometry import Geometry
 from gasbox.protocols import Dynamics, Warns, World
-from gasbox.scenario import Forced, Scenario, Stepped
+from gasbox.scenario import Forced, Scenario, Stepped, Walk
 from gasbox.state import State, Tallies
 from gasbox.version import __version__
 
@@ -196,6 +196,6 @@ def _species(simulation: Run, k: int, count: int) -> dict[str, Any]:
 
 def _particle_steps(simulation: Run, duration: float) -> float | None:
     dynamics = simulation.scenario.dynamics
-    if not isinstance(dynamics, Stepped | Forced):
+    if not isinstance(dynamics, Stepped | Forced | Walk):
         return None
     return round(duration / dynamics.time_step) * simulation.state.count / simulation.wall_seconds

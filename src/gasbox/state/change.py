@@ -21,6 +21,7 @@ __all__ = [
     "SetHeating",
     "SetParticles",
     "SetThermostat",
+    "SetWalkers",
     "SetWall",
     "SetWorld",
     "Surrounding",
@@ -205,5 +206,26 @@ class RemoveParticles:
 ParticleChange = SetParticles | RemoveParticles
 """What becomes of single particles. It follows from the run itself, so it is not logged."""
 
-Reply = Surrounding | ParticleChange
+
+@dataclass(frozen=True, eq=False)
+class SetWalkers:
+    """People walk otherwise from now on; only a world does that, and it follows from the run itself.
+
+    Attributes
+    ----------
+    ids : (k,) int64, each once
+    place : (k,) int64, row of the table of places in which they walk; None leaves it
+    target : (k, 2) float64 [length], to which they go first, straight through walls; None leaves it
+    distancing : (k,) float64, how firmly they keep away from others; None leaves it
+    pace : (k,) float64, factor on their speed; None leaves it
+    """
+
+    ids: NDArray[np.int64]
+    place: NDArray[np.int64] | None = None
+    target: NDArray[np.float64] | None = None
+    distancing: NDArray[np.float64] | None = None
+    pace: NDArray[np.float64] | None = None
+
+
+Reply = Surrounding | ParticleChange | SetWalkers
 """What a world may answer with."""
