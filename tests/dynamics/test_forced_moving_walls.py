@@ -19,7 +19,10 @@ PRESS = {"kind": "constant", "speed": -0.5, "stop": 8}
 PLACES = {
     "swinging side": {"container": WALLED, "walls": SWING},
     "paddle": {"container": WALLED, "obstacles": [PADDLE]},
-    "divider in a channel": {"container": rectangle(24, 24, ["y"]), "obstacles": [{**PADDLE, "start": [12, 0], "end": [12, 24]}]},
+    "divider in a channel": {
+        "container": rectangle(24, 24, ["y"]),
+        "obstacles": [{**PADDLE, "start": [12, 0], "end": [12, 24]}],
+    },
     "all at once": {
         "container": WALLED,
         "walls": {"right": {"motion": PRESS}, **SWING},
@@ -188,7 +191,10 @@ def test_what_forces_have_no_answer_to():
     smooth.apply(SetWall("paddle", present=False))
     with pytest.raises(UsageError, match="push back smoothly cannot be open"):
         smooth.apply(SetWall("paddle", present=True))
-    molecules = {"species": [], "molecules": [{"name": "water", "model": "water", "count": 3, "temperature": 1}]}
+    molecules = {
+        "species": [],
+        "molecules": [{"name": "water", "model": "water", "count": 3, "temperature": 1}],
+    }
     with pytest.raises(ScenarioError, match="not available for molecules under forces"):
         make({"container": WALLED, "walls": SWING}, **molecules)
     resting = make({"container": WALLED}, **molecules)

@@ -171,14 +171,13 @@ FOR_DISCS = [
 
 @pytest.mark.parametrize(("sections", "place"), NOT_SMOOTH)
 def test_walls_that_push_back_smoothly_let_nobody_through(sections, place):
-    assert problems(container=WALLED, **sections) == {}
+    parse({"container": WALLED, "species": [ATOM], "dynamics": FORCED, **sections})
     found = problems(container=WALLED, forces={"walls": "repulsive"}, **sections)
     assert found[place].allowed == 'forces.walls "reflecting"'
 
 
 @pytest.mark.parametrize(("sections", "place"), FOR_DISCS)
 def test_walls_that_molecules_under_forces_do_not_know(sections, place):
-    assert problems(container=WALLED, **sections) == {}
     water = {"name": "water", "model": "water", "count": 3, "temperature": 1}
     found = problems(container=WALLED, molecules=[water], **sections)
     assert found[place].allowed == "not available for molecules under forces"
