@@ -15,6 +15,7 @@ from gasbox.kernels.forced.bath import T_TO
 from gasbox.observe import temperature
 from gasbox.protocols import Dynamics, World
 from gasbox.scenario import (
+    Demon,
     Epidemic,
     EventDriven,
     Forced,
@@ -39,7 +40,7 @@ from gasbox.state import (
     Surrounding,
     Tallies,
 )
-from gasbox.worlds import Outbreak, PongGame, Replies
+from gasbox.worlds import MaxwellsDemon, Outbreak, PongGame, Replies
 
 __all__ = ["Parts", "build"]
 
@@ -134,7 +135,8 @@ def _world(scenario: Scenario) -> World | None:
             return PongGame(scenario)
         case Epidemic():
             return Outbreak(scenario)
-    raise ScenarioError([Problem("world", scenario.world.kind, "a world that is there")])
+        case Demon():
+            return MaxwellsDemon(scenario)
 
 
 def _memory(scenario: Scenario) -> Memory | None:
