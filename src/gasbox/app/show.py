@@ -18,7 +18,7 @@ from gasbox.app.shading import Shading
 from gasbox.app.tandem import Partner
 from gasbox.errors import GasboxError, UsageError
 from gasbox.geometry import Geometry
-from gasbox.state import Change
+from gasbox.state import Change, SetWorld
 
 if TYPE_CHECKING:
     from gasbox.simulation import Simulation
@@ -162,7 +162,10 @@ class Show:
             It cannot be done; nothing has changed.
         """
         self.simulation.apply(change)
-        self.publish()
+        if not (
+            self.running and isinstance(change, SetWorld)
+        ):  # it is seen with the next frame, when the world has acted
+            self.publish()
 
     def follow_hands(self) -> None:
         """Move walls on to where hands have moved; all but the newest places were overtaken."""

@@ -16,6 +16,7 @@ from gasbox.app.session import Session
 from gasbox.app.wording import number
 from gasbox.geometry import Enclosure, Geometry, Wall, side_count
 from gasbox.scenario import Scenario
+from gasbox.scenario.pong import Pong
 from gasbox.state import Change, SetWall
 
 __all__ = ["MOST_WALLS", "WallControls", "can_move", "walls_with_controls"]
@@ -29,18 +30,28 @@ _OCTAVES: Final = 4
 def walls_with_controls(scenario: Scenario, geometry: Enclosure) -> list[int]:
     """Indices of the walls that can be changed by hand: dividers and what has a name, thermal and moving walls.
 
-    Under forces walls neither move nor go, so that only thermal ones are left.
+    Under forces walls neither move nor go, so that only thermal ones are left. Bats and goal lines belong to their
+    game.
     """
     first = side_count(geometry.container)
     rigid = has_forces(scenario)
+    played = _played(scenario)
     found = []
     for index, wall in enumerate(geometry.walls):
+        if wall.name in played:
+            continue
         is_obstacle = index >= first
         named = is_obstacle and scenario.obstacles[index - first].name is not None
         divides = is_obstacle and scenario.obstacles[index - first].shape == "segment"
         if wall.temperature is not None or (not rigid and (wall.motion is not None or named or divides)):
             found.append(index)
     return found[:MOST_WALLS]
+
+
+def _played(scenario: Scenario) -> frozenset[str | None]:
+    """Names of the walls that a game cannot do without."""
+    world = scenario.world
+    return frozenset((world.left, world.right, *world.goals)) if isinstance(world, Pong) else frozenset()
 
 
 def can_move(geometry: Enclosure, index: int) -> bool:

@@ -152,7 +152,7 @@ class Epidemic(Section):
     hygiene: Share = 1.0
     """Factor on the probability of infection: below 1, people take care."""
     distancing: Distancing = Distancing()
-    """People keep away from each other."""
+    """How people keep away from each other."""
     quarantine: Quarantine = Quarantine()
     """The ill are kept apart."""
     travel: Travel = Travel()

@@ -6,8 +6,9 @@ from typing import Final
 
 from gasbox.app.worlds.epidemic import EpidemicPanel
 from gasbox.app.worlds.panel import MakePanel
+from gasbox.app.worlds.pong import PongPanel
 
 __all__ = ["PANELS"]
 
-PANELS: Final[dict[str, MakePanel]] = {"epidemic": EpidemicPanel}
+PANELS: Final[dict[str, MakePanel]] = {"epidemic": EpidemicPanel, "pong": PongPanel}
 """Kind of world -> what makes its panel."""

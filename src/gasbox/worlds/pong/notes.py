@@ -8,7 +8,7 @@ import numpy as np
 
 from gasbox.scenario.pong import PLAYERS
 from gasbox.state import Memory
-from gasbox.worlds.pong.score import NOBODY, PHASES, SOUNDS, Score
+from gasbox.worlds.pong.score import NOBODY, PHASES, SERVE, SOUNDS, Score
 from gasbox.worlds.pong.table import SIDES
 
 if TYPE_CHECKING:
@@ -99,6 +99,8 @@ def view(game: PongGame) -> dict[str, Any]:
     del shown["serves"]
     shown["bricks"] = shown.get("bricks")
     shown["last"] = _named(game.score.last)
+    serving = game.score.phase == SERVE
+    shown["serve_at"] = game.score.since + game.game.serve_delay if serving else None
     shown["bats"] = {
         side.name: {
             "x": side.x,

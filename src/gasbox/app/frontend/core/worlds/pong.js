@@ -57,7 +57,8 @@ export class PongWorld {
 
   draw(context, scene) {
     const { view, paused, touch } = this;
-    drawBoard(context, scene, { view, paused, touch, humans: this.hands.humans, moved: this.hands.moved });
+    const { humans, moved } = this.hands;
+    drawBoard(context, scene, { view, time: scene.frame?.time ?? 0, paused, touch, humans, moved });
   }
 
   key(event, down) {

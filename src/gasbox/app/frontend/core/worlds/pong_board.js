@@ -3,45 +3,58 @@
 const FAMILY = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif';
 
 // What the court says in the middle: [large, small] lines, or none.
-export function words({ view, paused, humans, touch }) {
+export function words({ view, time, paused, humans, touch }) {
   const again = touch ? "Tap for a new game" : "Space or Enter: new game";
   if (view.phase === "over") return [verdict(view, humans), humans.length ? again : "New game: the button below"];
   if (paused) return ["Paused", touch ? "" : "P or Space goes on"];
   if (view.phase !== "serve") return null;
-  const wait = view.serve_in;
-  const large = Number.isFinite(wait) ? `Serve in ${Math.max(wait, 0).toFixed(1)}` : "Serve";
+  const wait = view.serve_at - time;
+  const large = Number.isFinite(view.serve_at) ? `Serve in ${Math.max(wait, 0).toFixed(1)}` : "Get ready";
   return [large, humans.length ? (touch ? "Tap to serve" : "Space serves at once") : ""];
 }
 
-function verdict({ winner }, humans) {
+function verdict({ winner, players }, humans) {
+  if (winner === null) return "A draw";
+  if (!players.right) return winner === "left" ? "Not a brick is left" : "No ball is left";
   if (humans.length !== 1) return winner === "left" ? "Left wins" : "Right wins";
   return humans[0] === winner ? "You win" : "The computer wins";
 }
 
 // How a bat is moved, for the half of each human: side -> lines.
 export function hints({ humans, touch }) {
-  if (touch) return Object.fromEntries(humans.map((side) => [side, ["Slide a finger here", "to move your bat"]]));
+  if (touch) return Object.fromEntries(humans.map((side) => [side, ["Your bat", "slide a finger here"]]));
   const keys = { left: "W and S", right: "\u2191 and \u2193" };
-  if (humans.length !== 1) return Object.fromEntries(humans.map((side) => [side, [keys[side], "or the mouse in this half"]]));
-  return { [humans[0]]: ["Your bat: the mouse,", "\u2191 \u2193 or W S"] };
+  if (humans.length === 1) return { [humans[0]]: ["Your bat", "mouse, \u2191 \u2193 or W S"] };
+  return Object.fromEntries(humans.map((side) => [side, [keys[side], "or the mouse in this half"]]));
 }
 
-// state: { view, paused, humans, touch, moved }
+// state: { view, time, paused, humans, touch, moved }; time: of the frame
 export function drawBoard(context, { table, view, theme }, state) {
   const { width, height } = table;
   const pen = new Pen(context, view, theme, height * view.scale);
-  net(context, table, view, theme);
-  state.view.score.forEach((points, k) => {
-    const [x, y] = view.toCanvas(width * (k ? 0.75 : 0.25), height);
-    pen.write(String(points), x, y + pen.size(0.13), pen.size(0.17), 700, 0.6);
-  });
+  if (state.view.players.right === null) alone(pen, state.view, ...view.toCanvas(0.25 * width, height));
+  else {
+    net(context, table, view, theme);
+    state.view.score.forEach((points, k) => score(pen, points, ...view.toCanvas(width * (k ? 0.75 : 0.25), height)));
+  }
   const said = words(state);
-  if (said) lines(pen, said, ...view.toCanvas(width / 2, 0.3 * height), 0.075);
+  if (said) lines(pen, said, ...view.toCanvas(width / 2, 0.27 * height), 0.07);
   if (state.moved || state.view.phase === "over") return;
   for (const [side, text] of Object.entries(hints(state))) {
-    const [x, y] = view.toCanvas(width * (side === "left" ? 0.25 : 0.75), 0.55 * height);
+    const [x, y] = view.toCanvas(width * (side === "left" ? 0.27 : 0.73), 0.55 * height);
     lines(pen, text, x, y, 0.05);
   }
+}
+
+function score(pen, points, x, top) {
+  pen.write(String(points), x, top + pen.size(0.13), pen.size(0.17), 700, 0.6);
+}
+
+// Bricks that were hit, and how many balls may still be lost.
+function alone(pen, { score: [bricks, lost], points }, x, top) {
+  score(pen, bricks, x, top);
+  const left = points - lost;
+  pen.write(`${left} ${left === 1 ? "ball" : "balls"} left`, x, top + pen.size(0.265), pen.size(0.045), 600, 0.85);
 }
 
 function net(context, { width, height }, view, theme) {
