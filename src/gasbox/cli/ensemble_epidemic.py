@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from gasbox.cli.ensemble_report import headline
 from gasbox.cli.ensemble_run import Outcome
 from gasbox.plots import Fan, Mark, Pile, ensemble_figure
-from gasbox.scenario import Epidemic, Scenario
+from gasbox.scenario import Epidemic, Scenario, places_of
 from gasbox.simulation import Simulation
 from gasbox.sweep import Gathered, Plan
 from gasbox.theory import epidemic as theory
@@ -54,7 +54,10 @@ class WellMixed:
 
 
 def well_mixed(scenario: Scenario) -> WellMixed | None:
-    """What theory says; None where people do something about it, or it passes on in collisions."""
+    """What theory says.
+
+    None where people do something about it or live in several rooms, and where it passes on in collisions.
+    """
     world = scenario.world
     assert isinstance(world, Epidemic)
     values = world.values()
@@ -62,7 +65,7 @@ def well_mixed(scenario: Scenario) -> WellMixed | None:
     told = {} if started is None else started.summary()
     r0 = told.get("r0_well_mixed")
     plain = not scenario.schedule and not any(values.get(name) for name in _MEASURES)
-    if r0 is None or not plain or not told["people"]:
+    if r0 is None or not plain or not told["people"] or len(places_of(scenario).rooms) > 1:
         return None
     people, ill = told["people"], told["final_size"]
     susceptible = told["counts"].get("susceptible", 0) / people
@@ -127,7 +130,7 @@ def _extinct(major: NDArray[np.bool_], law: WellMixed | None) -> str:
 
 def _sum(found: Gathered, names: tuple[str, ...]) -> NDArray[np.float64]:
     nothing = np.zeros((found.seeds.size, found.times.size))
-    return np.sum([found.series.get(name, nothing) for name in names], axis=0)
+    return np.asarray(np.sum([found.series.get(name, nothing) for name in names], axis=0))
 
 
 def _piles(found: Gathered, major: NDArray[np.bool_], law: WellMixed | None) -> list[Pile]:
@@ -136,19 +139,20 @@ def _piles(found: Gathered, major: NDArray[np.bool_], law: WellMixed | None) -> 
     def of_major(name: str) -> NDArray[np.float64]:
         return np.where(major, found.values[f"world.{name}"], math.nan)
 
-    def marks(name: str, value: float | None, deviation: float = math.nan) -> list[Mark]:
-        if value is None or not math.isfinite(value):
-            return []
-        return [Mark(f"{name} {value:.3g}", value, deviation)]
-
-    size = marks("Kermack and McKendrick", law.size, law.size_deviation) if law else []
-    peak = marks("well mixed", law and law.peak)
+    law = law or WellMixed(*[math.nan] * 6)
+    size = _marks("Kermack and McKendrick", law.size, law.size_deviation)
+    peak = _marks("well mixed", law.peak)
     over = np.where(found.values["world.over"] > 0.0, of_major("days"), math.nan)
     return [
         Pile("part infected in the end", "", of_major("attack_rate"), size),
         Pile("greatest part infected at a time", "", of_major("peak_fraction"), peak),
         Pile("day of the peak", "day", of_major("peak_day")),
-        Pile("R of the first tenth", "", of_major("r0_estimate"), marks("well mixed", law and law.r0)),
-        Pile("growth at first", "1/day", of_major("growth_per_day"), marks("well mixed", law and law.growth)),
+        Pile("R of the first tenth", "", of_major("r0_estimate"), _marks("well mixed", law.r0)),
+        Pile("growth at first", "1/day", of_major("growth_per_day"), _marks("well mixed", law.growth)),
         Pile("day when it was over", "day", over),
     ]
+
+
+def _marks(name: str, value: float, deviation: float = math.nan) -> list[Mark]:
+    """A mark with its value in its name, if there is one."""
+    return [Mark(f"{name} {value:.3g}", value, deviation)] if math.isfinite(value) else []
