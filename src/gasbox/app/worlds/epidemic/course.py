@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.state import Change, SetWorld
+from gasbox.theory.epidemic import final_size
 
 __all__ = ["INFECTED", "STAGES", "Course", "Mark", "marks", "thinned"]
 
@@ -36,6 +37,8 @@ class Course:
     days : (k,) float64 [day]
     share : (k,) float64, infected people over all people
     over : whether nobody is infected any more
+    expected : part of those susceptible at the start who are infected in the end, were the people well mixed and the
+        settings as they are now (`theory.epidemic.final_size`); None where it cannot be told
     """
 
     day: float
@@ -51,6 +54,7 @@ class Course:
     days: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     share: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     over: bool = False
+    expected: float | None = None
 
     @classmethod
     def of(cls, view: Mapping[str, Any], series: Mapping[str, NDArray[np.float64]]) -> Course:
@@ -60,9 +64,13 @@ class Course:
         infected = np.zeros(days.size)
         for name in INFECTED:
             infected = infected + series.get(name, 0.0)
-        attack = None
+        attack = expected = None
         if days.size and series["susceptible"][0] > 0:
-            attack = (total - float(infected[0])) / float(series["susceptible"][0])
+            seeds, susceptible = float(infected[0]), float(series["susceptible"][0])
+            attack = (total - seeds) / susceptible
+            if view["r0"] is not None:
+                share = susceptible / people
+                expected = final_size(view["r0"], share, seeds / people) / share
         peak = view["peak"]
         return cls(
             day=float(view["day"]),
@@ -78,6 +86,7 @@ class Course:
             days=days,
             share=infected / max(people, 1),
             over=bool(view["over"]),
+            expected=expected,
         )
 
 

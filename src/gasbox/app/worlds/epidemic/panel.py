@@ -216,7 +216,7 @@ class EpidemicPanel:
             first, second = self._kept, course
         elif other is not None and other.world:
             second = Course.of(other.world, other.series)
-        self.numbers.show(first, second, "")
+        self.numbers.show(first, second)
         shown = other if other is not None and other.world and self._whose.value == "b" else sample
         day = float(getattr(sample.scenario.world, "day", 1.0))
         which = "" if other is None else f"run {self._whose.value.upper()}"

@@ -28,12 +28,11 @@ export class EpidemicWorld {
   }
 
   rooms(context, { view, theme }) {
-    const { rooms, central, quarantine, counts } = this.view;
+    const { rooms, central, quarantine } = this.view;
     context.lineWidth = 1.25 * view.ratio;
-    context.strokeStyle = theme.wall;
+    context.strokeStyle = theme.obstacle;
     if (rooms.length > 1 || quarantine) for (const room of rooms) outline(context, view, room);
     context.setLineDash([2 * view.ratio, 3 * view.ratio]);
-    context.strokeStyle = theme.obstacle;
     for (const place of central ?? []) outline(context, view, place);
     if (!quarantine) return context.setLineDash([]);
     context.strokeStyle = colorOf("--heat", theme.obstacle);
