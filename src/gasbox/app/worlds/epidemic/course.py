@@ -9,10 +9,11 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from gasbox.app.sample import Sample
 from gasbox.state import Change, SetWorld
 from gasbox.theory.epidemic import final_size
 
-__all__ = ["INFECTED", "STAGES", "Course", "Mark", "marks", "thinned"]
+__all__ = ["INFECTED", "STAGES", "Course", "Mark", "chosen", "marks", "thinned"]
 
 STAGES: Final = ("infectious", "asymptomatic", "exposed", "susceptible", "vaccinated", "recovered", "dead")
 """Names of species that are stages of the disease, in the order in which they are stacked, from below."""
@@ -117,6 +118,16 @@ def marks(changes: Sequence[tuple[float, Change]], day: float) -> list[Mark]:
             found.remove(before)
         found.append(mark)
     return found
+
+
+def chosen(sample: Sample) -> dict[str, float]:
+    """Name -> value of the settings that were changed live, by no schedule."""
+    scheduled = [(entry.at, entry.change()) for entry in sample.scenario.schedule]
+    return {
+        change.name: float(change.value)
+        for time, change in sample.changes
+        if isinstance(change, SetWorld) and (time, change) not in scheduled
+    }
 
 
 def thinned(count: int, most: int = 240) -> NDArray[np.int64]:

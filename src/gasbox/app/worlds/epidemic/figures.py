@@ -37,7 +37,7 @@ def _hint(course: Course) -> str:
     """What theory says of a population without places or distances, in which anybody meets anybody."""
     if course.r0 is None or course.expected is None:
         return ""
-    return f"Well mixed, R₀ = {number(course.r0, 2)} with these settings: {course.expected:.0%} infected in the end."
+    return f"Well mixed, R₀ = {number(course.r0, 2)}: {course.expected:.0%} infected in the end"
 
 
 class Numbers:
