@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.app.sample import Sample
+from gasbox.scenario import ScheduledChange
 from gasbox.state import Change, SetWorld
 from gasbox.theory.epidemic import final_size
 
@@ -120,12 +120,12 @@ def marks(changes: Sequence[tuple[float, Change]], day: float) -> list[Mark]:
     return found
 
 
-def chosen(sample: Sample) -> dict[str, float]:
-    """Name -> value of the settings that were changed live, by no schedule."""
-    scheduled = [(entry.at, entry.change()) for entry in sample.scenario.schedule]
+def chosen(changes: Sequence[tuple[float, Change]], schedule: Sequence[ScheduledChange]) -> dict[str, float]:
+    """Name -> value of the settings that were changed live, by no schedule; `changes` are (time, change)."""
+    scheduled = [(entry.at, entry.change()) for entry in schedule]
     return {
         change.name: float(change.value)
-        for time, change in sample.changes
+        for time, change in changes
         if isinstance(change, SetWorld) and (time, change) not in scheduled
     }
 

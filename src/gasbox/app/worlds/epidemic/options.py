@@ -35,6 +35,8 @@ _SHORT: Final = {
 _SAME_TIME: Final = 0.05
 """Days."""
 _MOST_LINES: Final = 12
+_FIRST: Final = 2.0
+"""Days in which the reproduction number is that of a few people, and sets no scale."""
 
 
 def stages(names: Sequence[str], colors: Mapping[str, str], people: int) -> dict[str, Any]:
@@ -97,9 +99,13 @@ def spread_now(
 ) -> dict[str, Any]:
     """What is new about it, of one run or of two."""
     rows = _side_by_side((first["day"], first["r"]), None if second is None else (second["day"], second["r"]))
-    highest = max((value for row in rows for value in row[1:] if value is not None), default=0.0)
+    late = [row for row in rows if (row[0] or 0.0) > _FIRST] or rows
+    highest = max((value for row in late for value in row[1:] if value is not None), default=0.0)
     top = next(end for end in (2, 3, 4, 6, 8, 10, 20) if end >= min(highest, 20.0))
-    return {"dataset": {"source": rows}, "yAxis": {"max": top, "interval": 1 if top < 6 else top / 2}}
+    return {
+        "dataset": {"source": rows},
+        "yAxis": {"max": top, "interval": 1 if top < 6 else 2 if top < 10 else top / 2},
+    }
 
 
 def runs() -> dict[str, Any]:

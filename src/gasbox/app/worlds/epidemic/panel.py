@@ -141,8 +141,8 @@ class EpidemicPanel:
         if self._last is None or self._busy:
             return
         self._busy = True
-        kept, sample = self._last, self._session.sample()
-        self._encore = Encore(self._session, {} if sample is None else chosen(sample))
+        kept = self._last
+        self._encore = Encore(self._session, await self._chosen())
         self._session.show.partner = self._encore
         self._session.pause()
         await asyncio.wrap_future(self._session.reset())
@@ -150,16 +150,21 @@ class EpidemicPanel:
         self._kept = kept
         self._arrange()
 
+    async def _chosen(self) -> dict[str, float]:
+        """Settings that were changed by hand in this run."""
+        session = self._session
+        changes = await asyncio.wrap_future(session.ask(lambda: tuple(session.show.simulation.changes)))
+        return chosen(changes, session.scenario.schedule)
+
     async def side_by_side(self) -> None:
         """Open the second box: A as the scenario says, B with the measures as they are set."""
         if self._busy or self.pair is not None:
             return
         self._busy = True
-        sample = self._session.sample()
         self._forget_kept()
         try:
             with self._root:
-                self.pair = await Pair.opened(self._session, {} if sample is None else chosen(sample))
+                self.pair = await Pair.opened(self._session, await self._chosen())
         except GasboxError as error:
             self._tell(f"{str(error)[:1].upper()}{str(error)[1:]}.")
         self._busy = False
