@@ -82,7 +82,7 @@ def _species(parts: Parts, world: Epidemic) -> Iterator[Problem]:
             yield Problem(
                 "species", f"no {short(name)}", f"an epidemic needs a species {short(name)}{reason}"
             )
-    if "exposed" not in names and "exposed" in world.model_fields_set:
+    if "exposed" not in names and world.exposed != Epidemic().exposed:
         yield Problem("world.exposed", "no such species", 'goes with a species "exposed"')
 
 
