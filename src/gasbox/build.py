@@ -15,6 +15,7 @@ from gasbox.kernels.forced.bath import T_TO
 from gasbox.observe import temperature
 from gasbox.protocols import Dynamics, World
 from gasbox.scenario import (
+    Demon,
     Epidemic,
     EventDriven,
     Forced,
@@ -39,7 +40,7 @@ from gasbox.state import (
     Surrounding,
     Tallies,
 )
-from gasbox.worlds import Outbreak, PongGame, Replies
+from gasbox.worlds import MaxwellsDemon, Outbreak, PongGame, Replies
 
 __all__ = ["Parts", "build"]
 
@@ -134,7 +135,8 @@ def _world(scenario: Scenario) -> World | None:
             return PongGame(scenario)
         case Epidemic():
             return Outbreak(scenario)
-    raise ScenarioError([Problem("world", scenario.world.kind, "a world that is there")])
+        case Demon():
+            return MaxwellsDemon(scenario)
 
 
 def _memory(scenario: Scenario) -> Memory | None:
@@ -177,14 +179,10 @@ def _calm(state: State, geometry: Geometry, scenario: Scenario) -> list[str]:
     """Move apart discs whose forces are extreme, and say so; say so too if the time step is long."""
     warnings = []
     settings = _forced_settings(scenario, state)
-    strength = max(law.epsilon for law in pair_laws(scenario).values())
-    if strength == 0.0 and scenario.forces is not None and scenario.forces.charges is not None:
-        largest = max(abs(entry.charge or 0.0) for entry in scenario.site_kinds)
-        strength = scenario.forces.charges.strength * largest**2 / settings.sigma
-    moved = rules.relax(state, geometry, settings, strength, scenario.seed)
+    moved = rules.relax(state, geometry, settings, settings.strength, scenario.seed)
     if moved is not None:
         warnings.append(f"discs that overlapped were moved apart before the start, by at most {moved:.3g}")
-    long = rules.step_warning(state, settings, strength)
+    long = rules.step_warning(state, settings, settings.strength)
     return warnings if long is None else [*warnings, long]
 
 
@@ -203,15 +201,19 @@ def _forced_settings(scenario: Scenario, state: State) -> rules.ForcedSettings:
             warm = temperature(state, scenario.geometry()) or 0.0
         thermostat = thermostat.model_copy(update={"temperature": warm})
     charge = [entry.charge or 0.0 for entry in scenario.site_kinds]
+    sigma, strength = min(law.sigma for law in laws.values()), max(law.epsilon for law in laws.values())
+    if strength == 0.0 and forces.charges is not None:
+        strength = forces.charges.strength * max(map(abs, charge)) ** 2 / sigma
     return rules.ForcedSettings(
         scenario.dynamics.time_step,
         rules.pair_terms(laws, len(scenario.site_kinds), forces.charges, charge),
-        min(law.sigma for law in laws.values()),
+        sigma,
         max(law.epsilon for law in laws.values()) if forces.walls == "repulsive" else 0.0,
         thermostat,
         scenario.barostat,
         scenario.heating,
         scenario.kinds,
+        strength,
     )
 
 

@@ -226,9 +226,9 @@ def test_walls_that_forces_do_not_know():
         "format": "gasbox-scenario/1",
         "container": WALLED,
         "species": [ATOM],
-        "walls": {"left": {"open": True}},
+        "walls": {"left": {"motion": {"kind": "piston", "mass": 50}}},
         "dynamics": {"kind": "event-driven"},
     }
     other, settings = Simulation(parse(data)), make({"container": WALLED}).dynamics.settings
-    with pytest.raises(UsageError, match="no wall moves"):
+    with pytest.raises(UsageError, match="no wall moves freely"):
         Forced(other.state, other.geometry, settings, Tallies.zero(1, 4), Contacts.empty(0))

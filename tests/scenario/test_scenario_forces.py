@@ -140,14 +140,7 @@ def test_charges_need_to_be_told_how_they_act():
 @pytest.mark.parametrize(
     ("sections", "place"),
     [
-        ({"walls": {"left": {"open": True}}}, "walls.left.open"),
         ({"walls": {"left": {"motion": {"kind": "piston", "mass": 1}}}}, "walls.left.motion"),
-        ({"obstacles": [{**SEGMENT, "passes": "all"}]}, "obstacles[0].passes"),
-        ({"schedule": [{"at": 1, "wall": "left", "displacement": 1}]}, "schedule[0].displacement"),
-        (
-            {"obstacles": [SEGMENT], "schedule": [{"at": 1, "wall": "shelf", "present": False}]},
-            "schedule[0].present",
-        ),
         (
             {
                 "walls": {"left": {"motion": {"kind": "piston", "mass": 1}}},
@@ -158,7 +151,36 @@ def test_charges_need_to_be_told_how_they_act():
     ],
 )
 def test_walls_that_forces_do_not_know(sections, place):
-    assert problems(container=WALLED, **sections)[place].allowed == "not available under forces"
+    assert problems(container=WALLED, **sections)[place].allowed.startswith("not available under forces")
+
+
+NOT_SMOOTH = [
+    ({"walls": {"left": {"open": True}}}, "walls.left.open"),
+    ({"obstacles": [{**SEGMENT, "passes": "all"}]}, "obstacles[0].passes"),
+    (
+        {"obstacles": [SEGMENT], "schedule": [{"at": 1, "wall": "shelf", "present": False}]},
+        "schedule[0].present",
+    ),
+]
+FOR_DISCS = [
+    *NOT_SMOOTH,
+    ({"walls": {"left": {"motion": {"kind": "constant", "speed": 0.1, "stop": 1}}}}, "walls.left.motion"),
+    ({"schedule": [{"at": 1, "wall": "left", "displacement": 1}]}, "schedule[0].displacement"),
+]
+
+
+@pytest.mark.parametrize(("sections", "place"), NOT_SMOOTH)
+def test_walls_that_push_back_smoothly_let_nobody_through(sections, place):
+    parse({"container": WALLED, "species": [ATOM], "dynamics": FORCED, **sections})
+    found = problems(container=WALLED, forces={"walls": "repulsive"}, **sections)
+    assert found[place].allowed == 'forces.walls "reflecting"'
+
+
+@pytest.mark.parametrize(("sections", "place"), FOR_DISCS)
+def test_walls_that_molecules_under_forces_do_not_know(sections, place):
+    water = {"name": "water", "model": "water", "count": 3, "temperature": 1}
+    found = problems(container=WALLED, molecules=[water], **sections)
+    assert found[place].allowed == "not available for molecules under forces"
 
 
 def test_warm_walls_must_turn_discs_round():

@@ -3,6 +3,7 @@
 from gasbox.dynamics.changes import altered
 from gasbox.dynamics.event_driven import EventDriven
 from gasbox.dynamics.forced import Forced, ForcedSettings
+from gasbox.dynamics.make_room import make_room
 from gasbox.dynamics.pair_terms import pair_terms
 from gasbox.dynamics.relax import relax, step_warning
 from gasbox.dynamics.stepped import Stepped
@@ -16,6 +17,7 @@ __all__ = [
     "Walk",
     "WalkSettings",
     "altered",
+    "make_room",
     "pair_terms",
     "relax",
     "step_warning",

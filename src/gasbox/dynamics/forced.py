@@ -9,26 +9,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.dynamics.baths import Drive, degrees_of_freedom, drive_of
-from gasbox.dynamics.changes import as_enclosure
 from gasbox.dynamics.forced_discs import bodies_of, discs_of, gas_of, held, kinetic_energy, of_particles
-from gasbox.dynamics.forced_memory import as_listed, put_back, remembered
+from gasbox.dynamics.forced_memory import as_listed, listed_walls, put_back, remembered
 from gasbox.dynamics.forced_room import Tables
+from gasbox.dynamics.forced_surroundings import surroundings
+from gasbox.dynamics.halls import turn_paths
+from gasbox.dynamics.mishaps import step_too_long
 from gasbox.dynamics.team import Team, fitting_threads
-from gasbox.errors import DynamicsError, UsageError
+from gasbox.errors import DynamicsError
 from gasbox.geometry import Geometry
-from gasbox.geometry.conserved import conserved_momentum
 from gasbox.kernels import arguments, forced
-from gasbox.kernels.hall import hall
 from gasbox.protocols import Status
 from gasbox.scenario import Barostat, Heating, Kind, Thermostat
 from gasbox.state import Contacts, Control, Memory, State, Tallies
 
 __all__ = ["Forced", "ForcedSettings"]
 
-_SKIN = 0.4
-"""By which lists reach beyond the largest cutoff, in units of the smallest sigma."""
-_MOST = 0.25
-"""Way in one step, in units of the smallest sigma, that no sensible step makes."""
 # Without the JIT, NumPy would warn where kernels divide by zero in lanes that are then not chosen.
 _plain = np.errstate(divide="ignore", over="ignore", invalid="ignore")
 
@@ -45,6 +41,7 @@ class ForcedSettings:
     wall_strength : of walls that push back smoothly [energy]; 0 for walls at which discs turn round
     thermostat, barostat, heating : as the scenario has them; a thermostat has a temperature
     kinds : all kinds of particle, for what acts within molecules; may be left out without flexible ones
+    strength : largest epsilon of all pairs [energy], by which forces are measured that are extreme
     """
 
     time_step: float
@@ -55,6 +52,7 @@ class ForcedSettings:
     barostat: Barostat | None = None
     heating: Heating | None = None
     kinds: tuple[Kind, ...] = ()
+    strength: float = 0.0
 
 
 class Forced:
@@ -77,7 +75,7 @@ class Forced:
     Raises
     ------
     UsageError
-        Walls that move, open walls, or walls that some pass.
+        Walls that forces have no answer to: pistons, and some more where there are molecules or smooth walls.
     """
 
     def __init__(
@@ -110,7 +108,7 @@ class Forced:
         if memory and np.array_equal(self._said, memory["drive_said"]):
             # Otherwise who goes on has asked for other baths.
             self._drive.values[:] = np.asarray(memory["drive"], np.float64)
-        self._enter(state, geometry)
+        self._enter(state, geometry, memory)
         self._begin(state, memory)
 
     # -- what others change ----------------------------------------------------------------------------
@@ -139,32 +137,22 @@ class Forced:
         common = np.where(drifts, state.mass @ state.velocity / max(float(state.mass.sum()), 1e-300), 0.0)
         return 2.0 * kinetic_energy(state, common) / self._bath.freedom if self._bath.freedom else 0.0
 
-    def _enter(self, state: State, geometry: Geometry) -> None:
-        """Take over a geometry."""
-        enclosure = as_enclosure(geometry)
-        if enclosure.moves or any(wall.open or wall.passes is not None for wall in enclosure.walls):
-            raise UsageError("under forces no wall moves, is open or lets some pass")
+    def _enter(self, state: State, geometry: Geometry, memory: Memory | None = None) -> None:
+        """Take over a geometry; walls that move go on as remembered, or from where the state has them."""
+        rows = memory.get("walls") if memory else None
         self._geometry = geometry
-        self._hall = hall(enclosure, self.tallies.pair_collisions.shape[0], self._seed)
-        drifts = conserved_momentum(geometry)
-        self._bath = forced.Bath(
-            self._drive.values,
-            np.array([self._seed & 0xFFFFFFFF, self._seed >> 32], np.int64),
-            state.count,
-            degrees_of_freedom(state, geometry),
-            bool(drifts[0]),
-            bool(drifts[1]),
-        )
-        gravity = np.where(geometry.periodic, 0.0, geometry.gravity)
-        self._rule = forced.Rule(
+        self._around = surroundings(
+            state,
+            geometry,
             self.time_step,
-            _SKIN * self.settings.sigma,
-            _MOST * self.settings.sigma,
-            bool(geometry.periodic_x),
-            bool(geometry.periodic_y),
-            float(gravity[0]),
-            float(gravity[1]),
+            self.settings.sigma,
+            self.settings.wall_strength > 0.0,
+            self._drive.values,
+            self.tallies.pair_collisions.shape[0],
+            self._seed,
+            None if rows is None else np.asarray(rows, np.float64),
         )
+        self._bath, self._rule = self._around.bath, self._around.rule
 
     # -- tables ----------------------------------------------------------------------------------------
 
@@ -187,9 +175,11 @@ class Forced:
             (self._rule.periodic_x, self._rule.periodic_y),
             self.settings.terms.reach + self._rule.skin,
             self._team.threads,
-            self._hall,
+            self._around.hall,
             self.settings.wall_strength,
         )
+        if self._geometry.moves:
+            self._tables.stand(self._time, listed_walls(memory))
         self._books = forced.books(self.tallies)
         self._tables.crowd.room.stage[0] = forced.LIST_FIRST
         self._go(state, int(self._clock[0]))
@@ -211,8 +201,8 @@ class Forced:
     def advance(self, state: State, until: float) -> Status:
         """Take whole steps up to the last one at or before `until` [time]."""
         status = self._go(state, self.step_at(until))
-        if status == forced.TOO_FAR:
-            self._explain(state)
+        if status in (forced.TOO_FAR, forced.WALL_TOO_FAR):
+            self._explain(status == forced.WALL_TOO_FAR)
         state.time = self._time
         if status == arguments.FULL:
             return Status.FULL
@@ -220,10 +210,19 @@ class Forced:
         return Status.DONE
 
     def _go(self, state: State, target: int) -> int:
-        """Let the kernel go on to a step, or to where it needs something other than room."""
-        while (status := self._take_steps(state, target)) == forced.GROW:
-            self._tables.grow()
-        return status
+        """Let the kernel go on to a step, or to where it needs what only others can give."""
+        while True:
+            step, stop = int(self._clock[0]), target
+            if step < target:
+                stop = min(stop, turn_paths(self._around.hall, self._around.enclosure, step, self.time_step))
+            status = self._take_steps(state, stop)
+            if status == forced.GROW:
+                self._tables.grow()
+            elif status == forced.LEFT:
+                state.keep(self._tables.walls.gone == 0)
+                self._begin(state)
+            elif status != arguments.DONE or self._clock[0] >= target:
+                return status
 
     @_plain
     def _take_steps(self, state: State, target: int) -> int:
@@ -248,7 +247,7 @@ class Forced:
         self.contacts.count = int(count[0])
         return status
 
-    def _explain(self, state: State) -> None:
+    def _explain(self, by_wall: bool) -> None:
         """Say that the step is too long, before numbers turn into nonsense.
 
         Raises
@@ -256,18 +255,19 @@ class Forced:
         DynamicsError
             Always.
         """
-        speed = math.sqrt(2.0 * self._books.now[2] / max(float(state.mass.sum()), 1e-300))
-        raise DynamicsError(
-            f"at time {self._time:g} a disc flew further than {self._rule.most:.3g} in one step of "
-            f"{self.time_step:g}: the time step is too long for these forces and speeds (rms speed {speed:.3g} at "
-            f"the last measurement); shorten dynamics.time_step, say to {self.time_step / 4:.2g}"
-        )
+        mass = float(self._tables.crowd.atoms.mass.sum())
+        speed = math.sqrt(2.0 * self._books.now[2] / max(mass, 1e-300))
+        raise DynamicsError(step_too_long(self._time, self.time_step, self._rule.most, speed, by_wall))
 
     def _show(self, state: State) -> None:
         """Energies, and the size of a box that a barostat has changed."""
         if state.sites is not None and self._tables.crowd.bodies is None:
             state.sites.position[:], state.sites.velocity[:] = state.position, state.velocity
         state.potential, state.virial = float(self._books.now[0]), float(self._books.now[1])
+        if self._geometry.moves:
+            state.wall_displacement = self._tables.walls.place.copy()
+            state.wall_velocity = self._tables.walls.rate.copy()
+            return
         self._size = np.array(self._tables.size)
         if self._drive.has_barostat or np.any(self._size != self._geometry.size):
             change = self._size - self._geometry.size
@@ -291,7 +291,7 @@ class Forced:
         """
         return {
             "forced_step": int(self._clock[0]),
-            **remembered(self._tables),
+            **remembered(self._tables, self._geometry.moves),
             "box": self._size.copy(),
             "drive": self._drive.values.copy(),
             "drive_said": self._said.copy(),

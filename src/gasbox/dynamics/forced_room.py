@@ -50,11 +50,17 @@ class Tables:
     ) -> None:
         self._count = discs.count
         self._periodic, self._reach, self._threads = periodic, reach, threads
-        self._hall, self._wall_strength = hall, wall_strength
         around = discs.count * (2.0 * reach) ** 2 / (size[0] * size[1])
         self._entries, self._slots = max(_FEWEST, around / 2.0), _EXPECTED
         self._atoms, self._bodies = forced.atoms(discs, held), bodies
+        self._has_walls = hall.kind.shape[0] > 0
         self._make(size)
+        self.walls = forced.walls(hall, wall_strength, self._near, self._atoms, self._count)
+
+    @property
+    def _near(self) -> int:
+        """How many discs near walls there is room for."""
+        return int(self._slots * (128 + 2 * self._count)) if self._has_walls else 0
 
     def _make(self, size: tuple[float, float]) -> None:
         thick = forced.thickness(self._count, size[0] * size[1], self._reach)
@@ -71,24 +77,30 @@ class Tables:
         lists = forced.lists(self._count, int(self._entries * (self._count + 64)) + spare)
         room = forced.room(self._count, size, self._threads)
         self.crowd = forced.Crowd(self._atoms, slots, lists, strips, room, self._bodies)
-        near = int(self._slots * (128 + 2 * self._count)) if self._hall.kind.shape[0] else 0
-        self.walls = forced.walls(self._hall, self._wall_strength, near)
 
     def grow(self) -> None:
         """Room for twice as much, with the same atoms in the same stage of a step."""
-        room, walls = self.crowd.room, self.walls
+        room = self.crowd.room
         self._slots *= 2.0
         self._entries *= 2.0
         self._make((float(room.size[0]), float(room.size[1])))
         new = self.crowd.room
         new.stage[:], new.before[:], new.sums[:] = room.stage, room.before, room.sums
-        self.walls.cursor[:] = walls.cursor
+        self.walls = self.walls._replace(near=np.zeros((self._near, 4), np.int32))
 
     @property
     def size(self) -> tuple[float, float]:
         """Width and height of the box as it is now [length]."""
         width, height = self.crowd.room.size
         return float(width), float(height)
+
+    def stand(self, time: float, listed: NDArray[np.float64] | None = None) -> None:
+        """Bring walls that move to where they are at `time` [time].
+
+        listed : (walls,) [length], where they were when discs near them were listed; None if that is now
+        """
+        forced.stand(self.walls, time)
+        self.walls.listed[:] = self.walls.place if listed is None else listed
 
     def put(self, position: NDArray[np.float64]) -> None:
         """Put all atoms to these places (m, 2), in the order of the discs; the lists stay."""

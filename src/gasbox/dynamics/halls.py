@@ -25,7 +25,7 @@ from gasbox.kernels.hall.tables import (
 )
 from gasbox.state import State
 
-__all__ = ["make_hall", "set_waves", "start_walls", "turn_walls", "wall_rows"]
+__all__ = ["make_hall", "set_waves", "start_walls", "turn_paths", "turn_walls", "wall_rows"]
 
 _HELD = 1e-9
 """A piston that meets its stop so slowly that it would not rise by this part of the box again is held there."""
@@ -84,6 +84,29 @@ def turn_walls(hall: Hall, geometry: Geometry, now: float, start: float) -> list
         elif row[MASS] > 0.0 and _at_stop(hall, number, now, float(geometry.size.max())):
             turned.append(number)
     return turned
+
+
+def turn_paths(hall: Hall, geometry: Enclosure, step: int, time_step: float) -> int:
+    """Let walls on a path set out on the piece of the step after `step`; return the last step before a piece ends."""
+    last = int(np.iinfo(np.int64).max)
+    time = (step + 1) * time_step
+    for number, wall in enumerate(geometry.walls):
+        if not isinstance(wall.motion, Path):
+            continue
+        row = hall.wall[number]
+        if row[UNTIL] <= time:
+            set_motion(row, hall.rule[number], wall.motion, time, 0.0)
+        if row[UNTIL] < math.inf:
+            last = min(last, max(step + 1, _last_before(float(row[UNTIL]), time_step)))
+    return last
+
+
+def _last_before(time: float, time_step: float) -> int:
+    """The last step before `time` [time]."""
+    step = math.floor(time / time_step) + 1
+    while step * time_step >= time:
+        step -= 1
+    return step
 
 
 def _at_stop(hall: Hall, number: int, now: float, size: float) -> bool:

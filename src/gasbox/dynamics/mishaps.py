@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from gasbox.kernels.stepped.bodies import CUT_SHORT, DEEP, DEEPEST, HELD_BACK
 
-__all__ = ["mishaps_told"]
+__all__ = ["mishaps_told", "step_too_long"]
 
 
 def mishaps_told(mishaps: NDArray[np.int64], worst: NDArray[np.float64]) -> tuple[str, ...]:
@@ -30,3 +30,20 @@ def mishaps_told(mishaps: NDArray[np.int64], worst: NDArray[np.float64]) -> tupl
             f"({mishaps[CUT_SHORT]} times); a shorter dynamics.time_step or more room helps"
         )
     return tuple(told)
+
+
+def step_too_long(time: float, time_step: float, most: float, speed: float, by_wall: bool) -> str:
+    """A sentence on a step of `time_step` in which a disc, or a wall, went further than `most`.
+
+    speed : root mean square of the discs [length/time]
+    """
+    if by_wall:
+        return (
+            f"at time {time:g} a wall moved further than {most:.3g} in one step of {time_step:g}: let it move more "
+            f"slowly, or shorten dynamics.time_step"
+        )
+    return (
+        f"at time {time:g} a disc flew further than {most:.3g} in one step of {time_step:g}: the time step is too long "
+        f"for these forces and speeds (rms speed {speed:.3g} at the last measurement); shorten dynamics.time_step, say "
+        f"to {time_step / 4:.2g}"
+    )

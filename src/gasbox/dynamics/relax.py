@@ -15,7 +15,7 @@ from gasbox.geometry import Enclosure, Geometry
 from gasbox.rng import Stream, generator
 from gasbox.state import Contacts, State, Tallies
 
-__all__ = ["relax", "step_warning"]
+__all__ = ["move", "random_ways", "relax", "step_warning"]
 
 _TOO_STRONG = 500.0
 """Force, in units of strength/range, beyond which discs overlap: a Lennard-Jones pair at 0.81 sigma."""
@@ -53,11 +53,11 @@ def relax(
     unit = strength / settings.sigma
     start = state.position.copy()
     species, walls = int(state.species.max()) + 1, len(geometry.wall_names)
-    # Weight presses, but it is no overlap.
-    still = dataclasses.replace(geometry, gravity=(0.0, 0.0)) if isinstance(geometry, Enclosure) else geometry
+    still = _resting(geometry)
     trial = Forced(
         state.copy(), still, _without_baths(settings), Tallies.zero(species, walls), Contacts.empty(0)
     )
+    here = geometry.at(state.wall_displacement) if geometry.moves else geometry
     moved = False
     limit = _TOO_STRONG * unit
     for turn in range(_MOST_ROUNDS):
@@ -71,13 +71,12 @@ def relax(
         scale = settings.sigma * _LARGEST_WAY / np.maximum(size, limit)
         way = np.where(wild[:, None], 0.0, force) * scale[:, None]
         angle = np.where(wild, 0.0, torque) * scale / state.radius**2
-        noise = generator(seed, Stream.POSITIONS, 1 + turn).normal(size=(int(wild.sum()), 2))
-        way[wild] = noise * _LARGEST_WAY * settings.sigma
+        way[wild] = random_ways(seed, turn, int(wild.sum()), _LARGEST_WAY * settings.sigma)
         if apart is not None:
             way += apart * settings.sigma
         if has_molecules(state) and turn % _PATIENCE == _PATIENCE - 1:
             _shake(state, way, angle, size > limit, generator(seed, Stream.POSITIONS, 1 + turn))
-        _move(geometry, state, way, angle)
+        move(here, state, way, angle)
         trial.resync(state)
     if not moved:
         return None
@@ -87,6 +86,19 @@ def relax(
         geometry.periodic, np.round(gap / box) * np.where(geometry.periodic, geometry.size, 0.0), 0.0
     )
     return float(np.hypot(*gap.T).max())
+
+
+def _resting(geometry: Geometry) -> Geometry:
+    """The same without weight, which presses but is no overlap; and who gets through its walls does not matter."""
+    if not isinstance(geometry, Enclosure):
+        return geometry
+    walls = tuple(dataclasses.replace(wall, open=False, passes=None, soft=False) for wall in geometry.walls)
+    return dataclasses.replace(geometry, gravity=(0.0, 0.0), walls=walls)
+
+
+def random_ways(seed: int, turn: int, count: int, size: float) -> NDArray[np.float64]:
+    """(count, 2) float64 [length]: ways of about this size for those that no force leads anywhere."""
+    return generator(seed, Stream.POSITIONS, 1 + turn).normal(size=(count, 2)) * size
 
 
 def _shake(
@@ -130,8 +142,8 @@ def _at_one_place(state: State, turn: int, seed: int) -> NDArray[np.float64] | N
     return way
 
 
-def _move(geometry: Geometry, state: State, way: NDArray[np.float64], turn: NDArray[np.float64]) -> None:
-    """Move and turn; who would leave goes along x or y alone, if it can, so that it slides along a wall."""
+def move(geometry: Geometry, state: State, way: NDArray[np.float64], turn: NDArray[np.float64]) -> None:
+    """Move (n, 2) [length] and turn (n,) [rad]; who would leave goes along x or y alone, to slide along a wall."""
     waiting = np.ones(state.count, np.bool_)
     for part in ((1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.0)):
         position = geometry.wrap(state.position + way * part)

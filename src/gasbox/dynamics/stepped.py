@@ -7,14 +7,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.dynamics.halls import make_hall, start_walls, wall_rows
+from gasbox.dynamics.halls import make_hall, start_walls, turn_paths, wall_rows
 from gasbox.dynamics.mishaps import mishaps_told
 from gasbox.dynamics.team import Team, fitting_threads
-from gasbox.geometry import Enclosure, Geometry, Path, Rectangle
+from gasbox.geometry import Enclosure, Geometry, Rectangle
 from gasbox.kernels import arguments, stepped
-from gasbox.kernels.hall import set_motion
 from gasbox.kernels.hall.motion import show_walls
-from gasbox.kernels.hall.tables import UNTIL
 from gasbox.protocols import Status
 from gasbox.state import Contacts, Memory, State, Tallies
 
@@ -183,27 +181,9 @@ class Stepped:
 
     def _turn_walls(self) -> int:
         """Let walls on a path set out on the piece of the next step; return the last step before a piece ends."""
-        last = np.iinfo(np.int64).max
         if self._hall is None or not isinstance(self._geometry, Enclosure):
-            return int(last)
-        step = int(self._clock[0])
-        time = (step + 1) * self.time_step
-        for number, wall in enumerate(self._geometry.walls):
-            if not isinstance(wall.motion, Path):
-                continue
-            row = self._hall.wall[number]
-            if row[UNTIL] <= time:
-                set_motion(row, self._hall.rule[number], wall.motion, time, 0.0)
-            if row[UNTIL] < math.inf:
-                last = min(last, max(step + 1, self._last_before(float(row[UNTIL]))))
-        return int(last)
-
-    def _last_before(self, time: float) -> int:
-        """The last step before `time`."""
-        step = math.floor(time / self.time_step) + 1
-        while step * self.time_step >= time:
-            step -= 1
-        return step
+            return int(np.iinfo(np.int64).max)
+        return turn_paths(self._hall, self._geometry, int(self._clock[0]), self.time_step)
 
     def _see_off(self, state: State) -> None:
         """Let go of the discs that have left, and lay out the cells anew where a side has moved out of them."""

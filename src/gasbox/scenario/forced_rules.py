@@ -9,14 +9,27 @@ from gasbox.errors import Problem
 from gasbox.geometry import Rectangle
 from gasbox.scenario.dynamics import Forced
 from gasbox.scenario.forces import Forces
-from gasbox.scenario.kinds import site_kinds_of
+from gasbox.scenario.kinds import anatomy, site_kinds_of
 from gasbox.scenario.mixing import laws_of
+from gasbox.scenario.motions import PistonMotion
 from gasbox.scenario.obstacles import Obstacle
 from gasbox.scenario.parts import Parts
 from gasbox.scenario.problems import near, short
 from gasbox.scenario.walls import WallSettings
 
 __all__ = ["forced_problems"]
+
+_HARD: Final = 'forces.walls "reflecting"'
+_NO_MOLECULES: Final = "not available for molecules under forces"
+_FOR_DISCS: Final = (
+    ("open", "an open wall"),
+    ("passes", "a wall that discs pass"),
+    ("motion", "a wall that moves"),
+)
+_LATER_FOR_DISCS: Final = (
+    ("displacement", "a wall that moves"),
+    ("present", "a wall that comes or goes"),
+)
 
 _ITS_OWN: Final = ("forces", "thermostat", "barostat", "heating")
 _SCHEDULED: Final = _ITS_OWN[1:]
@@ -101,31 +114,33 @@ def _walls(parts: Parts) -> Iterator[Problem]:
         (f"walls.{short(side, bare=True)}", settings) for side, settings in parts.walls.items()
     ]
     surfaces += [(f"obstacles[{number}]", obstacle) for number, obstacle in enumerate(parts.obstacles)]
+    smooth = parts.forces is not None and parts.forces.walls == "repulsive"
+    large = any(entry is not None and len(anatomy(entry)[0]) > 1 for entry in parts.molecules)
     for path, surface in surfaces:
         if surface is None:
             continue
-        for key, found in (
-            ("open", "an open wall"),
-            ("passes", "a wall that discs pass"),
-            ("motion", "a wall that moves"),
-        ):
-            if getattr(surface, key):
-                yield Problem(f"{path}.{key}", found, "not available under forces")
-        smooth = parts.forces is not None and parts.forces.walls == "repulsive"
+        if isinstance(surface.motion, PistonMotion):
+            allowed = "not available under forces: another kind of motion"
+            yield Problem(f"{path}.motion", "a wall that moves freely", allowed)
+        for key, found in (("open", "an open wall"), ("passes", "a wall that discs pass")):
+            if getattr(surface, key) and smooth:
+                yield Problem(f"{path}.{key}", f"{found} that pushes back smoothly", _HARD)
         if smooth and surface.temperature is not None:
-            yield Problem(
-                f"{path}.temperature", "a warm wall that pushes back smoothly", 'forces.walls "reflecting"'
-            )
+            yield Problem(f"{path}.temperature", "a warm wall that pushes back smoothly", _HARD)
+        for key, found in _FOR_DISCS:
+            if large and getattr(surface, key):
+                yield Problem(f"{path}.{key}", found, _NO_MOLECULES)
     for number, entry in enumerate(parts.schedule):
         if entry is None:
             continue
-        for key, found in (
-            ("displacement", "a wall that moves"),
-            ("free", "a wall that moves"),
-            ("present", "a wall that comes or goes"),
-        ):
-            if getattr(entry, key) is not None:
-                yield Problem(f"schedule[{number}].{key}", found, "not available under forces")
+        path = f"schedule[{number}]"
+        if entry.free is not None:
+            yield Problem(f"{path}.free", "a wall that moves freely", "not available under forces")
+        if entry.present is not None and smooth:
+            yield Problem(f"{path}.present", "a wall that comes or goes and pushes back smoothly", _HARD)
+        for key, found in _LATER_FOR_DISCS:
+            if large and getattr(entry, key) is not None:
+                yield Problem(f"{path}.{key}", found, _NO_MOLECULES)
 
 
 def _thermostat(parts: Parts) -> Iterator[Problem]:

@@ -46,7 +46,7 @@ class Players(Section):
 
 
 class Pong(Section):
-    """A game of pong in a gas: bats that move, a ball, and lines that only the ball passes."""
+    """A game of pong in a gas: bats that move, a ball, and lines that it must not pass."""
 
     model_config = ConfigDict(
         json_schema_extra={"required": ["kind", "ball", "left", "goals", "ball_speed", "paddle_speed"]}
@@ -63,7 +63,7 @@ class Pong(Section):
     right: str | None = None
     """Name of the right bat; without it, the left one plays alone."""
     goals: Annotated[tuple[str, ...], Field(min_length=1, max_length=2)]
-    """Names of the lines behind the left and the right bat: upright segments that only the ball passes."""
+    """Names of the lines behind the left and the right bat: upright segments that the ball passes."""
     players: Players = Players()
     """Who plays at the start."""
     points: Annotated[int, Strict(), Field(ge=1, le=99), WHOLE] = 5

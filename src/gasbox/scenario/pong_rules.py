@@ -101,4 +101,4 @@ def _goal(path: str, name: str, ball: str, parts: Parts) -> Iterator[Problem]:
     if not isinstance(goal, SegmentObstacle) or goal.start[0] != goal.end[0]:
         yield Problem(path, f"{name}, of shape {goal.shape}", "must be an upright segment")
     elif goal.passes is None or (goal.passes.species is not None and ball not in goal.passes.species):
-        yield Problem(path, f"{name}, which {ball} does not pass", f'needs "passes": ["{ball}"]')
+        yield Problem(path, f"{name}, which {ball} does not pass", f'needs "passes": "all", or ["{ball}"]')

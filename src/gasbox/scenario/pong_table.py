@@ -14,7 +14,7 @@ VARIANTS: Final = {
     "vacuum": "Pong in empty space",
 }
 """Name of each variant, and its title."""
-BATS: Final = {"small": 7.0, "medium": 11.0, "large": 16.0}
+BATS: Final = {"small": 7.0, "medium": 10.0, "large": 16.0}
 """Half the height of a bat [length]."""
 
 _WIDTH, _HEIGHT = 160.0, 100.0
@@ -46,7 +46,7 @@ def pong_table(
     variant: str = "gas",
     players: tuple[str, str] = ("human", "medium"),
     points: int = 5,
-    ball_speed: float = 100.0,
+    ball_speed: float = 130.0,
     paddle_speed: float = 120.0,
     seed: int = 1,
 ) -> dict[str, Any]:
@@ -55,7 +55,7 @@ def pong_table(
     Parameters
     ----------
     gas : number of discs of gas, each of mass 1
-    temperature : of the gas, kept up by the goal lines [energy]
+    temperature : of the gas, kept up by the ends of the table [energy]
     bat : small, medium or large, or half its height [length]
     variant : one of `VARIANTS`
     players : left and right: human, easy, medium or hard; in breakout only the left one plays
@@ -77,7 +77,9 @@ def pong_table(
         raise ValueError(f"there is no {bat!r} bat; there are {', '.join(BATS)}")
     alone = variant == "breakout"
     half = BATS[bat] if isinstance(bat, str) else bat
-    obstacles = [_goal("goal-left", _LINE, temperature), _bat("bat-left", half, False)]
+    obstacles = [_goal("goal-left", _LINE), _bat("bat-left", half, False)]
+    # Discs of gas that were caught between the ball and the end of the table would stop it: they pass the line, too.
+    walls = {"left": {"temperature": temperature}}
     world: dict[str, Any] = {
         "kind": "pong",
         "ball": "ball",
@@ -89,7 +91,8 @@ def pong_table(
         "paddle_speed": paddle_speed,
     }
     if not alone:
-        obstacles += [_goal("goal-right", _WIDTH - _LINE, temperature), _bat("bat-right", half, True)]
+        obstacles += [_goal("goal-right", _WIDTH - _LINE), _bat("bat-right", half, True)]
+        walls["right"] = {"temperature": temperature}
         world |= {"right": "bat-right", "goals": ["goal-left", "goal-right"]}
         world["players"] = dict(zip(("left", "right"), players, strict=True))
     data: dict[str, Any] = {
@@ -98,6 +101,7 @@ def pong_table(
         "watch_for": _WATCH[variant],
         "seed": seed,
         "container": {"shape": "rectangle", "width": _WIDTH, "height": _HEIGHT},
+        "walls": walls,
         "obstacles": obstacles,
         "species": [*_gas(0 if variant == "vacuum" else gas, temperature, alone), _ball()],
         "particles": [{"species": "ball", "position": [0.5 * _WIDTH, 0.5 * _HEIGHT], "velocity": [0.0, 0.0]}],
@@ -153,10 +157,9 @@ def _bricks() -> list[dict[str, Any]]:
     ]
 
 
-def _goal(name: str, x: float, temperature: float) -> dict[str, Any]:
-    """A line that the ball alone passes; the gas leaves it as warm as it is to be."""
-    ends = {"start": [x, 0.0], "end": [x, _HEIGHT]}
-    return {"shape": "segment", "name": name, **ends, "passes": ["ball"], "temperature": temperature}
+def _goal(name: str, x: float) -> dict[str, Any]:
+    """A line that only counts."""
+    return {"shape": "segment", "name": name, "start": [x, 0.0], "end": [x, _HEIGHT], "passes": "all"}
 
 
 def _bat(name: str, half: float, right: bool) -> dict[str, Any]:

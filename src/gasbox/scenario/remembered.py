@@ -101,6 +101,8 @@ def _shapes(memory: dict[str, Any], particles: int, discs: int, walls: int) -> d
         if discs > particles:
             shapes |= dict.fromkeys(("site_position", "site_velocity", "site_shift"), (discs, 2))
         shapes |= {"drive": (_OF_BATHS,), "drive_said": (_OF_BATHS,)}
+        if "walls" in memory:
+            shapes["walls_built"] = (walls,)
     if "walk_step" in memory:
         shapes |= {"walk_step": (), "walk_heading": vectors, "walk_target": vectors}
         shapes |= dict.fromkeys(("walk_place", "walk_going", "walk_distancing", "walk_pace"), row)

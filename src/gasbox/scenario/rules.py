@@ -11,6 +11,7 @@ import numpy as np
 from gasbox.errors import Problem
 from gasbox.geometry import Enclosure, Geometry, Rectangle, side_count
 from gasbox.scenario.crowding import crowding_problems, glide_problems
+from gasbox.scenario.demon_rules import demon_problems
 from gasbox.scenario.dynamics import Forced, Stepped, Walk
 from gasbox.scenario.epidemic_rules import epidemic_problems
 from gasbox.scenario.falling import falling_problems
@@ -55,6 +56,7 @@ def broken_rules(parts: Parts) -> list[Problem]:
         walk_problems,
         epidemic_problems,
         pong_problems,
+        demon_problems,
     )
     problems = [problem for rule in rules for problem in rule(parts)]
     shapes = [*container_problems(parts.container), *obstacle_problems(parts)]

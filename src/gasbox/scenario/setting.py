@@ -11,7 +11,7 @@ __all__ = ["Setting"]
 
 @dataclass(frozen=True)
 class Setting:
-    """One setting: a number in a range, one of a few words, or yes or no.
+    """One setting: a number in a range, one of a few words, a name, or yes or no.
 
     Attributes
     ----------
@@ -20,6 +20,7 @@ class Setting:
     unit : of a number, as [length/time]; empty of a pure one
     words : that it may be; empty of a number
     is_switch : whether it is true or false
+    is_name : whether it is the name of a species; the world knows of which
     """
 
     meaning: str
@@ -28,6 +29,7 @@ class Setting:
     unit: str = ""
     words: Sequence[str] = ()
     is_switch: bool = False
+    is_name: bool = False
 
     def check(self, value: float | str | bool) -> float | str | bool:
         """The value, if it may be so.
@@ -40,6 +42,9 @@ class Setting:
         if self.is_switch:
             if not isinstance(value, bool):
                 raise ValueError("must be true or false")
+        elif self.is_name:
+            if not isinstance(value, str):
+                raise ValueError("must be the name of a species")
         elif self.words:
             if value not in self.words:
                 raise ValueError(f"must be one of {', '.join(self.words)}")

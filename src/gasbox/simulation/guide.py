@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from gasbox.dynamics import Forced, make_room
 from gasbox.errors import UsageError
 from gasbox.initial import separate, worst_overlap
 from gasbox.protocols import Led, World
@@ -83,7 +84,7 @@ class Guide:
         return {**mine, f"{_PREFIX}turn": self._turn, **self._replies.memory()}
 
     def _follow(self, replies: Sequence[Reply]) -> None:
-        changed = crowded = False
+        changed, crowded = False, np.zeros(0, np.int64)
         for reply in replies:
             match reply:
                 case SetGravity() | SetWall() | MoveWall() | SetGate():
@@ -92,7 +93,8 @@ class Guide:
                     self._replies.note(self._simulation.time, change)
                 case SetParticles():
                     changed |= self._set(reply)
-                    crowded |= reply.position is not None or reply.species is not None
+                    if reply.position is not None or reply.species is not None:
+                        crowded = np.union1d(crowded, reply.ids)
                 case SetWalkers():
                     if not isinstance(self._simulation.dynamics, Led):
                         raise UsageError("the world has told particles where to go that cannot walk")
@@ -116,7 +118,21 @@ class Guide:
             state.species[rows] = change.species
             state.mass[rows] = np.array([kind.mass for kind in kinds])[change.species]
             state.radius[rows] = np.array([kind.radius for kind in kinds])[change.species]
+            self._set_discs(rows, change.species)
         return rows.size > 0
+
+    def _set_discs(self, rows: NDArray[np.int64], species: NDArray[np.int32]) -> None:
+        """Where there are molecules, discs that become another species are so for the forces, too."""
+        state = self._simulation.state
+        if state.sites is None:
+            return
+        site = state.sites.first[rows]
+        if np.any(state.sites.first[rows + 1] - site > 1) or np.any(
+            species >= len(self._simulation.scenario.species)
+        ):
+            raise UsageError("the world has made something else of molecules, or molecules of something else")
+        state.sites.species[site] = species
+        state.sites.mass[site], state.sites.radius[site] = state.mass[rows], state.radius[rows]
 
     def _rows(self, ids: NDArray[np.int64]) -> NDArray[np.int64]:
         state = self._simulation.state
@@ -125,12 +141,18 @@ class Guide:
             raise UsageError("the world has changed particles that are not there")
         return rows
 
-    def _take_over(self, crowded: bool) -> None:
-        """Let the dynamics go on from the state as it is now; hard discs must not overlap in it (`crowded`: may do)."""
+    def _take_over(self, crowded: NDArray[np.int64]) -> None:
+        """Let the dynamics go on from the state as it is now, in which those (k,) stand elsewhere or are others.
+
+        Hard discs must not overlap in it, and forces must not be extreme.
+        """
         simulation, state = self._simulation, self._simulation.state
         state.turn_sites()
-        if crowded and isinstance(simulation.scenario.dynamics, EventDriven):
-            here = simulation.geometry.at(state.wall_displacement)
-            if worst_overlap(state, here) is not None:
-                separate(state, here)
+        here = simulation.geometry.at(state.wall_displacement)
+        hard = isinstance(simulation.scenario.dynamics, EventDriven)
+        if crowded.size and hard and worst_overlap(state, here) is not None:
+            separate(state, here)
         simulation.dynamics.resync(state)
+        if crowded.size and isinstance(simulation.dynamics, Forced):
+            moved = np.isin(state.id, crowded)
+            make_room(simulation.dynamics, state, here, moved, simulation.scenario.seed)

@@ -17,12 +17,13 @@ from gasbox.kernels.forced.lists_anew import GROW, Rule, box_of, list_share, sor
 from gasbox.kernels.forced.molecule_walls import turn_all_round
 from gasbox.kernels.forced.molecules import drift_bodies, face, kick_bodies
 from gasbox.kernels.forced.motion import drift, furthest, kick, publish
+from gasbox.kernels.forced.passing import note_places
 from gasbox.kernels.forced.phases import blocks_of, follow, force, rows_of, show_all, sum_all
 from gasbox.kernels.forced.tables import BLOCK, Books, Terms
-from gasbox.kernels.forced.walls import Walls
+from gasbox.kernels.forced.wall_tables import Walls, note_walls, stand
 from gasbox.kernels.team import meet, share
 
-__all__ = ["FORCE_FIRST", "GONE", "LISTED", "LIST_FIRST", "TOO_FAR", "advance"]
+__all__ = ["FORCE_FIRST", "GONE", "LEFT", "LISTED", "LIST_FIRST", "TOO_FAR", "WALL_TOO_FAR", "advance"]
 
 TOO_FAR = 21
 """Status: a disc has flown too far in one step."""
@@ -31,6 +32,11 @@ GONE = 22
 
 LISTED = 23
 """Status: the first lists are made; atoms may be put to where they are by now, and stage FORCE_FIRST is next."""
+
+LEFT = 24
+"""Status: discs have left through an open wall; take them out of the state."""
+WALL_TOO_FAR = 25
+"""Status: a wall has moved too far in one step."""
 
 MOVE, TURN, LOOK, LIST, FORCE, LIST_AGAIN, FORCE_AGAIN, LIST_FIRST, FORCE_FIRST = range(9)
 """Stages of a step; AGAIN follows a change of the area, FIRST comes before all steps."""
@@ -81,7 +87,8 @@ def advance(
 
     Returns
     -------
-    DONE, FULL (read the contacts, call again), GROW, LISTED, TOO_FAR or GONE; the same for each thread.
+    DONE, FULL (read the contacts, call again), GROW, LISTED, LEFT, TOO_FAR, WALL_TOO_FAR or GONE; the same for each
+    thread.
 
     Precondition: in stage LIST_FIRST, atoms stand where the lists are to be made; in stage FORCE_FIRST, lists are made.
     """
@@ -98,6 +105,7 @@ def advance(
     status = DONE
     while step < target or stage != MOVE:
         if stage == MOVE:
+            note_places(walls, atoms, begin, end)
             kick(atoms, half, begin, end)
             kick_bodies(bodies, half, begin_body, end_body)
             if bath.drive[THERMOSTAT] == LANGEVIN:
@@ -124,6 +132,8 @@ def advance(
                 drift(atoms, step_time, begin, end)
                 drift_bodies(bodies, step_time, begin_body, end_body)
             follow(bodies, atoms, box_of(crowd, rule), flag, thread, threads)
+            if thread == 0 and walls.hall.moving.shape[0] > 0:
+                stand(walls, (step + 1) * step_time)
             stage = TURN if walls.strength == 0.0 and walls.hall.kind.shape[0] > 0 else LOOK
         if stage == TURN:
             meet(flag, thread, threads)
@@ -142,10 +152,15 @@ def advance(
             if not most <= (0.5 * rule.skin + rule.most) ** 2:
                 status = TOO_FAR
                 break
-            stage = LIST if most > 0.25 * rule.skin * rule.skin else FORCE
+            if not walls.way[0] <= (0.5 * rule.skin + rule.most) ** 2:
+                status = WALL_TOO_FAR
+                break
+            stage = LIST if max(most, walls.way[0]) > 0.25 * rule.skin * rule.skin else FORCE
         elif stage in (LIST, LIST_AGAIN, LIST_FIRST):
             room.full[thread] = 0
             if thread == 0:
+                if stage == LIST:
+                    note_walls(walls)
                 room.full[threads] = sort_all(crowd, terms, rule, gas, walls)
             meet(flag, thread, threads)
             if not room.full[threads]:
@@ -187,8 +202,11 @@ def advance(
                     room.size[1] *= room.before[1]
             else:
                 stage = MOVE
+            if walls.left[0] > 0:
+                status = LEFT
+                break
     if thread == 0:
         room.stage[0], clock[0] = stage, step
-    if status == DONE:
+    if status in (DONE, LEFT):
         show_all(crowd, rule, gas, begin, min(end, n), bodies, begin_body, end_body)
     return status

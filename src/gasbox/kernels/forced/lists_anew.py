@@ -10,7 +10,8 @@ from gasbox.kernels.forced.crowd import Crowd
 from gasbox.kernels.forced.molecules import find
 from gasbox.kernels.forced.sort import divide, lay_out, list_neighbours, sort_atoms, wrap
 from gasbox.kernels.forced.tables import Terms
-from gasbox.kernels.forced.walls import Walls, list_walls
+from gasbox.kernels.forced.wall_tables import Walls
+from gasbox.kernels.forced.walls import list_walls
 
 __all__ = ["GROW", "Rule", "box_of", "list_share", "sort_all"]
 

@@ -15,7 +15,8 @@ from gasbox.kernels.arguments import Box, Gas, Ledger, book_hall
 from gasbox.kernels.forced.bodies import RIGID, Bodies
 from gasbox.kernels.forced.molecules import arm, place
 from gasbox.kernels.forced.tables import Atoms
-from gasbox.kernels.forced.walls import Walls, approach, turn_round
+from gasbox.kernels.forced.wall_tables import Walls, approach
+from gasbox.kernels.forced.walls import turn_round
 from gasbox.kernels.hall.rebound import thermal_speeds
 from gasbox.kernels.hall.tables import TEMPERATURE, WALL
 

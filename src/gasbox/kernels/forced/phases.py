@@ -17,7 +17,8 @@ from gasbox.kernels.forced.molecules_bath import sum_bodies
 from gasbox.kernels.forced.motion import show
 from gasbox.kernels.forced.push import push
 from gasbox.kernels.forced.tables import BLOCK, Atoms, Terms
-from gasbox.kernels.forced.walls import Walls, push_back
+from gasbox.kernels.forced.wall_tables import Walls
+from gasbox.kernels.forced.walls import push_back
 from gasbox.kernels.team import meet, share
 
 __all__ = ["blocks_of", "follow", "force", "rows_of", "show_all", "sum_all"]

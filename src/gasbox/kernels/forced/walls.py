@@ -4,34 +4,34 @@ A centre turns round one radius before a wall, at the time within the step at wh
 as the repulsive part of a Lennard-Jones force does, with the potential strength (4 [(2r/d)^12 - (2r/d)^6] + 1) up to
 d = 2^(1/6) 2r: r is the radius of the disc, d the distance of its centre from a line one radius behind the wall.
 
+A wall that moves turns them round in its own frame. Those who pass a wall are booked when their centre is through.
+
 All is done by one thread in the order of the atoms, and costs only who is near a wall.
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.arguments import Box, Gas, Ledger, book_hall
 from gasbox.kernels.forced.bodies import Bodies
+from gasbox.kernels.forced.passing import cross, lets_pass
 from gasbox.kernels.forced.tables import Atoms
+from gasbox.kernels.forced.wall_tables import Walls, approach, away_before, distance
+from gasbox.kernels.hall.motion import push
 from gasbox.kernels.hall.rebound import thermal_speeds
 from gasbox.kernels.hall.tables import (
-    FACES,
     HIGH,
     KIND,
     LOW,
     NX,
     NY,
+    OPEN,
     PX,
     PY,
-    RHO,
-    RIM,
     SIDE,
+    SOFT,
     TEMPERATURE,
     TX,
     TY,
@@ -39,56 +39,9 @@ from gasbox.kernels.hall.tables import (
     Hall,
 )
 
-__all__ = ["Walls", "approach", "list_walls", "push_back", "turn_round", "walls"]
+__all__ = ["list_walls", "push_back", "turn_round"]
 
 _SMOOTH = 2.0 ** (1.0 / 6.0)
-
-
-class Walls(NamedTuple):
-    """An enclosure, and who is near which of its elements.
-
-    Attributes
-    ----------
-    hall : its tables
-    strength : of walls that push back smoothly [energy]; 0 for walls at which discs turn round
-    near : (room, 4) int32, atom, element, and the image of it along x and y
-    size : (1,) int64, rows of `near` in use
-    cursor : (4,) int64, how many of them have been looked at in this step, and again for those of rigid molecules;
-        contacts of the one that is looked at; whether rigid molecules are
-    """
-
-    hall: Hall
-    strength: float
-    near: NDArray[np.int32]
-    size: NDArray[np.int64]
-    cursor: NDArray[np.int64]
-
-
-def walls(hall: Hall, strength: float, room: int) -> Walls:
-    """With room for so many discs near walls."""
-    return Walls(hall, strength, np.zeros((room, 4), np.int32), np.zeros(1, np.int64), np.zeros(4, np.int64))
-
-
-@inlined_kernel
-def _distance(hall: Hall, e: int, x: float, y: float) -> tuple[float, float, float]:
-    """Unit normal from an element to a centre at (x, y) from its place, and distance; infinite beside a side."""
-    kind = hall.kind[e, KIND]
-    if kind == SIDE:
-        foot = x * hall.shape[e, TX] + y * hall.shape[e, TY]
-        nx, ny = hall.shape[e, NX], hall.shape[e, NY]
-        height = x * nx + y * ny
-        face = hall.kind[e, FACES]
-        if face < 0 or (face == 0 and height < 0.0):
-            nx, ny, height = -nx, -ny, -height
-        if not hall.shape[e, LOW] <= foot <= hall.shape[e, HIGH]:
-            height = math.inf
-        return nx, ny, height
-    away = math.sqrt(x * x + y * y)
-    if away == 0.0:
-        return 1.0, 0.0, hall.shape[e, RHO] if kind == RIM else 0.0
-    if kind == RIM:
-        return -x / away, -y / away, hall.shape[e, RHO] - away
-    return x / away, y / away, away - hall.shape[e, RHO]
 
 
 @inlined_kernel
@@ -98,7 +51,7 @@ def _may_touch(hall: Hall, e: int, x: float, y: float, reach: float) -> bool:
         foot = x * hall.shape[e, TX] + y * hall.shape[e, TY]
         height = abs(x * hall.shape[e, NX] + y * hall.shape[e, NY])
         return height <= reach and hall.shape[e, LOW] - reach <= foot <= hall.shape[e, HIGH] + reach
-    _, _, height = _distance(hall, e, x, y)
+    _, _, height = distance(hall, e, x, y)
     return height <= reach
 
 
@@ -122,10 +75,11 @@ def list_walls(
         k = _next(bodies, number)
         reach = wide * gas.radius[atoms.row[k]] + skin
         for e in range(hall.kind.shape[0]):
+            way = walls.listed[hall.kind[e, WALL]]
             for image_y in range(-along, along + 1):
                 for image_x in range(-across, across + 1):
-                    x = atoms.x[k] - hall.shape[e, PX] - image_x * box.width
-                    y = atoms.y[k] - hall.shape[e, PY] - image_y * box.height
+                    x = atoms.x[k] - hall.shape[e, PX] - image_x * box.width - hall.shape[e, NX] * way
+                    y = atoms.y[k] - hall.shape[e, PY] - image_y * box.height - hall.shape[e, NY] * way
                     if not _may_touch(hall, e, x, y, reach):
                         continue
                     if count == walls.near.shape[0]:
@@ -135,17 +89,6 @@ def list_walls(
                     count += 1
     walls.size[0] = count
     return True
-
-
-@inlined_kernel
-def approach(walls: Walls, entry: int, atoms: Atoms, box: Box) -> tuple[int, int, float, float, float]:
-    """Atom, element, normal and distance of an entry of the list."""
-    hall = walls.hall
-    k, e = walls.near[entry, 0], walls.near[entry, 1]
-    x = atoms.x[k] - hall.shape[e, PX] - walls.near[entry, 2] * box.width
-    y = atoms.y[k] - hall.shape[e, PY] - walls.near[entry, 3] * box.height
-    nx, ny, away = _distance(hall, e, x, y)
-    return k, e, nx, ny, away
 
 
 @bare_kernel
@@ -166,6 +109,11 @@ def turn_round(
             return 1
         _mirror(walls, cursor[0] % near, cursor[0], atoms, gas, box, book, time, time_step)
         cursor[0] += 1
+    while cursor[0] < 3 * near and walls.was_x.shape[0] > 0:
+        if book.kind.shape[0] > 0 and book.rows[0] >= book.kind.shape[0]:
+            return 1
+        cross(walls, cursor[0] % near, atoms, gas, box, book, time, time_step)
+        cursor[0] += 1
     cursor[0] = 0
     return 0
 
@@ -185,35 +133,50 @@ def _mirror(
     """Turn round the disc of one entry of the list, if it is too near.
 
     It met the wall a while t before the end of the step. The half kicks before and after the drift know nothing of
-    that: with the acceleration a along the normal, place and speed at the end lack a t² and a (2t - time_step).
+    that: with the acceleration a along the normal, place and speed at the end lack a t² and a (2t - time_step). In the
+    frame of a wall that moves with u, the speed v is turned round: 2u - v is left, and u times the impulse is the work.
+
+    Who has got into a wall that some pass, and may go no further, is turned round where it was before the step.
     """
     hall, result = walls.hall, walls.hall.result
     k, e, nx, ny, away = approach(walls, entry, atoms, box)
     row, mass, number = atoms.row[k], atoms.mass[k], hall.kind[e, WALL]
-    deep = gas.radius[row] - away
-    if not deep > 0.0:
+    soft, line = hall.rule[number, SOFT] != 0, gas.radius[row]
+    if soft:
+        line = min(line, away_before(walls, entry, box))
+    deep = line - away
+    if not deep > 0.0 or hall.rule[number, OPEN]:
         return
     if atoms.rate[k] == 0.0:
         return
     vx, vy = atoms.vx[k], atoms.vy[k]
     vn, vt = vx * nx + vy * ny, vy * nx - vx * ny
-    if vn >= 0.0:
+    along = hall.shape[e, NX] * nx + hall.shape[e, NY] * ny
+    u, speeding = walls.rate[number] * along, push(hall, number, time) * along
+    if soft and (vn >= u or lets_pass(walls, e, gas.species[row], vx, vy)):
+        return
+    if vn >= u:
         atoms.x[k] += 2.0 * deep * nx
         atoms.y[k] += 2.0 * deep * ny
         return
-    after = min(deep / -vn, time_step)
-    push = (atoms.fx[k] * nx + atoms.fy[k] * ny) / mass
-    out, slide, late = -vn, vt, push * (2.0 * after - time_step)
-    result[3] = result[4] = result[5] = 0.0
+    after = min(deep / (u - vn), time_step)
+    a = (atoms.fx[k] * nx + atoms.fy[k] * ny) / mass
+    away, slide, late = u - vn, vt, a * (2.0 * after - time_step)
+    u -= speeding * after
+    out = u + (u - vn)
+    result[4] = result[5] = 0.0
     if hall.wall[number, TEMPERATURE] >= 0.0:
-        out, slide = thermal_speeds(hall, number, mass, book.id[row], time, float(salt))
-        late = push * (after - 0.5 * time_step)
-        result[4] = 0.5 * mass * (out * out + slide * slide - vn * vn - vt * vt)
-    lift = deep + out * after + push * after * after
+        away, slide = thermal_speeds(hall, number, mass, book.id[row], time, float(salt))
+        out, late = u + away, a * (after - 0.5 * time_step)
+        result[4] = 0.5 * mass * (away * away + slide * slide - (vn - u) * (vn - u) - vt * vt)
+    lift = deep + away * after + (a - speeding) * after * after
+    if soft:
+        lift = max(lift, deep)
     atoms.x[k] += lift * nx
     atoms.y[k] += lift * ny
     result[2] = mass * (out - vn)
     out += late
+    result[3] = u * mass * (out - vn)
     atoms.vx[k], atoms.vy[k] = out * nx - slide * ny, out * ny + slide * nx
     jx, jy = mass * (atoms.vx[k] - vx), mass * (atoms.vy[k] - vy)
     book_hall(book, gas.species[row], row, number, time, jx, jy, result)
@@ -236,7 +199,10 @@ def _push_from(
     atoms.fx[k] += force * nx
     atoms.fy[k] += force * ny
     atoms.u[k] += walls.strength * (4.0 * s6 * (s6 - 1.0) + 1.0)
-    book.wall_impulse[walls.hall.kind[e, WALL], gas.species[row]] += force * time_step
+    number, hall = walls.hall.kind[e, WALL], walls.hall
+    along = hall.shape[e, NX] * nx + hall.shape[e, NY] * ny
+    book.wall_impulse[number, gas.species[row]] += force * time_step
+    walls.force[number, gas.species[row]] += force * along
 
 
 @bare_kernel
@@ -248,6 +214,7 @@ def push_back(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time
     """
     hall, size = walls.hall, walls.size[0]
     best, least = -1, math.inf
+    _begin_work(walls)
     for entry in range(size):
         k, e = walls.near[entry, 0], walls.near[entry, 1]
         if hall.kind[e, KIND] == SIDE and math.isinf(hall.shape[e, HIGH]):
@@ -261,3 +228,23 @@ def push_back(walls: Walls, atoms: Atoms, gas: Gas, box: Box, book: Ledger, time
             if best >= 0:
                 _push_from(walls, best, atoms, gas, box, book, time_step)
             best, least = -1, math.inf
+    if time_step > 0.0:
+        _book_work(walls, book)
+
+
+@inlined_kernel
+def _begin_work(walls: Walls) -> None:
+    for number in range(walls.force.shape[0]):
+        for species in range(walls.force.shape[1]):
+            walls.force_before[number, species] = walls.force[number, species]
+            walls.force[number, species] = 0.0
+
+
+@inlined_kernel
+def _book_work(walls: Walls, book: Ledger) -> None:
+    """Way times force, the mean of those at both ends of the way."""
+    for number in range(walls.force.shape[0]):
+        way = walls.place[number] - walls.earlier[number]
+        for species in range(walls.force.shape[1]):
+            force = 0.5 * (walls.force_before[number, species] + walls.force[number, species])
+            book.wall_work[number, species] += force * way

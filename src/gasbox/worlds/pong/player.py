@@ -36,7 +36,7 @@ class Skill:
 
 SKILLS = {
     "easy": Skill(0.3, 0.9, 0.3, 0.0, False),
-    "medium": Skill(0.15, 0.6, 0.5, 0.3, True),
+    "medium": Skill(0.15, 0.75, 0.42, 0.4, True),
     "hard": Skill(0.03, 0.1, 1.0, 0.35, True),
 }
 
