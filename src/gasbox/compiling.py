@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from typing import Any, Final
 
@@ -18,7 +19,7 @@ from gasbox.state import Contacts, SetWalkers
 __all__ = ["compile_kernels", "compile_parts"]
 
 
-_HELPER: Final = "from gasbox.compiling import compile_parts; compile_parts(backwards=True)"
+_HELPER: Final = "from gasbox.compiling import help_to_compile; help_to_compile()"
 
 
 def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> None:
@@ -36,7 +37,7 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
         return
     helper = subprocess.Popen(
         [sys.executable, "-c", _HELPER],
-        stdin=subprocess.DEVNULL,
+        stdin=subprocess.PIPE,  # never written to: it ends when this process does
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
@@ -45,6 +46,17 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
     finally:
         helper.kill()
         helper.wait()
+
+
+def help_to_compile() -> None:
+    """Compile all kernels from the last part backwards; ends when the process that asked for it ends."""
+
+    def end_with_parent() -> None:
+        sys.stdin.read()
+        os._exit(1)
+
+    threading.Thread(target=end_with_parent, daemon=True).start()
+    compile_parts(backwards=True)
 
 
 def compile_parts(progress: Callable[[int, int, str], None] | None = None, backwards: bool = False) -> None:
