@@ -5,19 +5,21 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from typing import Any, Final
 
 from gasbox.build import build
 from gasbox.initial import populate, separate, worst_overlap
 from gasbox.jit import mark_compiled, was_compiled
+from gasbox.protocols import Led
 from gasbox.scenario import Scenario, parse
-from gasbox.state import Contacts
+from gasbox.state import Contacts, SetWalkers
 
 __all__ = ["compile_kernels", "compile_parts"]
 
 
-_HELPER: Final = "from gasbox.compiling import compile_parts; compile_parts(backwards=True)"
+_HELPER: Final = "from gasbox.compiling import help_to_compile; help_to_compile()"
 
 
 def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> None:
@@ -35,7 +37,7 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
         return
     helper = subprocess.Popen(
         [sys.executable, "-c", _HELPER],
-        stdin=subprocess.DEVNULL,
+        stdin=subprocess.PIPE,  # never written to: it ends when this process does
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
@@ -44,6 +46,17 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
     finally:
         helper.kill()
         helper.wait()
+
+
+def help_to_compile() -> None:
+    """Compile all kernels from the last part backwards; ends when the process that asked for it ends."""
+
+    def end_with_parent() -> None:
+        sys.stdin.read()
+        os._exit(1)
+
+    threading.Thread(target=end_with_parent, daemon=True).start()
+    compile_parts(backwards=True)
 
 
 def compile_parts(progress: Callable[[int, int, str], None] | None = None, backwards: bool = False) -> None:
@@ -68,6 +81,7 @@ def compile_parts(progress: Callable[[int, int, str], None] | None = None, backw
         ("stepped molecules", lambda: _run_tiny("stepped", molecules=True)),
         ("stepped molecules, walls of any shape", lambda: _run_tiny("stepped", True, True)),
         ("event-driven molecules", lambda: _run_tiny("event-driven", True, True)),
+        ("people who walk", _infect_tiny),
     ]
     for done, (name, compile_part) in enumerate(reversed(parts) if backwards else parts):
         if progress is not None:
@@ -137,6 +151,35 @@ def _push_tiny_molecules() -> None:
     parts = build(parse({**box, "molecules": [{**pair, "count": 4, "temperature": 1}]}))
     parts.dynamics.contacts = Contacts.empty(8)
     parts.dynamics.advance(parts.state, 0.1)
+
+
+_EPIDEMIC: Final[dict[str, Any]] = {
+    "container": {"width": 20, "height": 20},
+    "species": [
+        *({"name": name, "radius": 0.1, "count": 9, "speed": 1} for name in ("susceptible", "infectious")),
+        *({"name": name, "radius": 0.1} for name in ("recovered", "vaccinated")),
+    ],
+}
+
+
+def _infect_tiny() -> None:
+    """People who walk, keep apart, visit and infect each other; then discs that collide."""
+    course = {"kind": "epidemic", "infectious": {"law": "gamma", "mean": 1}, "vaccination": {"per_day": 1}}
+    near = {"transmission": {"by": "closeness", "radius": 4, "probability_per_day": 9}}
+    walk = {"distancing": {"strength": 1}, "central": {"visits": 9}}
+    for kind, world in (
+        ("walk", {**course, **near, **walk}),
+        ("stepped", {**course, "transmission": {"by": "contact"}}),
+    ):
+        parts = build(parse({**_EPIDEMIC, "dynamics": {"kind": kind}, "world": world}))
+        assert parts.world is not None
+        for reply in parts.world.start(parts.state, parts.geometry):
+            if isinstance(reply, SetWalkers) and isinstance(parts.dynamics, Led):
+                parts.dynamics.lead(parts.state, reply)
+        parts.dynamics.advance(parts.state, 1.0)
+        if parts.world.reads_contacts:
+            parts.world.read(Contacts.empty(1))
+        parts.world.act(parts.state, parts.geometry)
 
 
 def _part_tiny() -> None:

@@ -136,7 +136,7 @@ class People(FreeFlight):
         super().apply(change)
 
 
-def epidemic(people: int = 200, **settings: Any) -> Scenario:
+def epidemic(people: int = 200, radius: float = 0.8, **settings: Any) -> Scenario:
     """A scenario with an epidemic."""
     colors = ("#3d8fd1", "#d1495b", "#8a8f98", "#5b4a72")
     return parse(
@@ -148,7 +148,7 @@ def epidemic(people: int = 200, **settings: Any) -> Scenario:
             "species": [
                 {
                     "name": name,
-                    "radius": 0.8,
+                    "radius": radius,
                     "color": color,
                     "temperature": 1,
                     "count": people if name == "susceptible" else 0,

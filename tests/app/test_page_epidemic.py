@@ -108,8 +108,12 @@ async def test_both_run_in_step_and_stop_together(town: Lab) -> None:
     at = time_of(first)
     await town.press("ArrowRight")
     await town.until(lambda: at < time_of(first) == time_of(second))
+    town.one("dial-hygiene").set_value(0.5)
+    await town.until(lambda: changes(second))
     await town.press("r")
     await town.until(lambda: time_of(first) == time_of(second) == 0.0)
+    await town.until(lambda: changes(second) == [SetWorld("hygiene", 0.5)])  # they last
+    assert changes(first) == []
 
 
 @pytest.mark.parametrize("places", [1])

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from gasbox.app.draft_kinds import MoleculeDraft, SpeciesDraft, text_of, value_of
-from gasbox.scenario import Forced, Scenario, Stepped
+from gasbox.scenario import Forced, Scenario, Stepped, Walk
 
 __all__ = ["ContainerDraft", "Draft"]
 
@@ -84,6 +84,8 @@ class Draft:
     shape: str = "rectangle"
     """Of the container in the box now."""
     molecules: list[MoleculeDraft] = field(default_factory=list)
+    walk: dict[str, Any] = field(default_factory=dict)
+    """How people walk, as in the file."""
 
     @property
     def kinds(self) -> int:
@@ -121,7 +123,7 @@ class Draft:
             text_of(scenario.gravity[0]),
             text_of(scenario.gravity[1]),
             dynamics.kind,
-            text_of(dynamics.time_step if isinstance(dynamics, Stepped) else Stepped().time_step),
+            text_of(dynamics.time_step if isinstance(dynamics, Stepped | Walk) else Stepped().time_step),
             text_of(dynamics.time_step if isinstance(dynamics, Forced) else Forced().time_step),
             rest,
             scenario.container.shape,
@@ -129,6 +131,7 @@ class Draft:
                 MoleculeDraft.of(one, of)
                 for one, of in zip(scenario.molecules, given.get("molecules", []), strict=True)
             ],
+            given["dynamics"] if isinstance(dynamics, Walk) else {},
         )
 
     def add_species(self) -> None:
@@ -148,7 +151,7 @@ class Draft:
 
     def to_dict(self) -> dict[str, Any]:
         """The scenario as typed, still unchecked. Walls go with their shape, and what acts under forces with these."""
-        dynamics: dict[str, Any] = {"kind": self.kind}
+        dynamics: dict[str, Any] = {**(self.walk if self.kind == "walk" else {}), "kind": self.kind}
         if self.kind != "event-driven":
             dynamics["time_step"] = value_of(self.step)
         gravity = [value_of(part) or 0.0 for part in (self.gravity_x, self.gravity_y)]

@@ -21,6 +21,7 @@ _KINDS = {
     "event-driven": "event-driven (exact)",
     "stepped": "stepped (classroom rule)",
     "forced": "forces between discs",
+    "walk": "people who walk",
 }
 _SHAPES = {"rectangle": "rectangle", "circle": "circle", "regular-polygon": "regular polygon"}
 _SELECT = "dense outlined options-dense"

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final, Protocol
 
 from gasbox.app.pace import FRAMES_PER_SECOND
+from gasbox.state import SetWorld
 
 if TYPE_CHECKING:
     from gasbox.app.session import Session
     from gasbox.scenario import Scenario
     from gasbox.simulation import Simulation
 
-__all__ = ["Home", "Partner", "Tandem"]
+__all__ = ["Encore", "Home", "Partner", "Tandem"]
 
 _AHEAD: Final = 2.0
 """Ticks of simulated time by which one may be ahead of the other."""
@@ -52,15 +54,52 @@ class Partner(Protocol):
         ...
 
 
+class Encore:
+    """A partner by which a gas that begins anew gets the same settings again, at its start.
+
+    Attributes
+    ----------
+    settings : name of each setting of the world that lasts -> its value
+    """
+
+    def __init__(self, session: Session, settings: Mapping[str, float]) -> None:
+        self.session = session
+        self.settings = dict(settings)
+        self._scenario = session.scenario
+
+    def limit(self) -> float:
+        """Nobody else is there."""
+        return math.inf
+
+    def changed(self) -> None:
+        """It is no matter of its settings."""
+
+    def stepped(self) -> None:
+        """It is no matter of its settings."""
+
+    def renewed(self, simulation: Simulation) -> None:
+        """Order the settings again, before time goes on; another scenario has its own."""
+        if simulation.scenario is self._scenario:
+            for name, value in self.settings.items():
+                self.session.change(SetWorld(name, value))
+
+
 class Tandem:
     """Lets a second session run in step with a first one, which leads.
 
-    The second must show the same scenario.
+    Parameters
+    ----------
+    first, second : settings of each that last when both begin anew, and their sessions; of the same scenario
     """
 
-    def __init__(self, first: Session, second: Session) -> None:
-        self.first, self.second = first, second
-        self._scenario = first.scenario
+    def __init__(self, first: Encore, second: Encore) -> None:
+        self.encores = first, second
+        self.first, self.second = first.session, second.session
+        self._scenario = self.first.scenario
+        self._begin()
+
+    def _begin(self) -> None:
+        first, second = self.first, self.second
         second.set_speed(first.speed)
         first.show.partner, second.show.partner = _Leader(self), _Follower(self)
         second.play(first.playing)
@@ -97,12 +136,13 @@ class Tandem:
         elif other.time < one.time <= other.time + near:
             self.second.show.reach(one.time)
 
-    def begin_anew(self, scenario: Scenario) -> None:
+    def begin_anew(self, simulation: Simulation) -> None:
         """The first has begun anew; with another scenario they part."""
-        if scenario is self._scenario:
-            self.second.reset()
-        else:
+        if simulation.scenario is not self._scenario:
             self.part()
+            return
+        self.encores[0].renewed(simulation)
+        self.second.reset()
 
 
 class _Leader:
@@ -121,7 +161,7 @@ class _Leader:
         self._tandem.second.step()
 
     def renewed(self, simulation: Simulation) -> None:
-        self._tandem.begin_anew(simulation.scenario)
+        self._tandem.begin_anew(simulation)
 
 
 class _Follower:
@@ -140,4 +180,4 @@ class _Follower:
         """It never begins."""
 
     def renewed(self, simulation: Simulation) -> None:
-        """It never begins."""
+        self._tandem.encores[1].renewed(simulation)

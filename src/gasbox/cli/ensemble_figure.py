@@ -7,10 +7,12 @@ from typing import Final
 import numpy as np
 from matplotlib.figure import Figure
 
+from gasbox.cli.ensemble_epidemic import epidemic_figure
 from gasbox.cli.ensemble_report import WORLD, headline, is_main
 from gasbox.cli.ensemble_run import Outcome
 from gasbox.cli.report import meaning
 from gasbox.plots import Fan, Pile, ensemble_figure
+from gasbox.scenario import Epidemic
 from gasbox.sweep import Gathered, Plan
 
 __all__ = ["figure_of"]
@@ -33,6 +35,8 @@ _MOST_PILES: Final = 6
 
 def figure_of(plan: Plan, outcome: Outcome) -> Figure:
     """Of a world its series over time and its numbers; of a gas alone its temperature, pressure, collisions."""
+    if isinstance(plan.scenario.world, Epidemic):
+        return epidemic_figure(plan, outcome)
     found = outcome.found
     fans = [
         (name.replace("_", " "), [Fan(name.replace("_", " "), color, found.series[name])])

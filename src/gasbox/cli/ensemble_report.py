@@ -113,14 +113,17 @@ def is_main(name: str) -> bool:
 def print_ensemble(plan: Plan, outcome: Outcome) -> None:
     """Print a table of the main numbers: mean, spread and quantiles, and in a line below those that never differ."""
     found = outcome.found
-    table = Table("", title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    table = Table(title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    table.add_column("", overflow="fold", min_width=18)
     for column in ("mean ± its error", "std dev", "5 %", "50 %", "95 %"):
         table.add_column(column, justify="right", no_wrap=True)
     table.title = escape(f"{headline(plan, outcome)}, in {outcome.wall_seconds:.3g} s")
     alike = []
-    for name, values in found.values.items():
+    # First what a world says; beside it, the gas says little.
+    for name in sorted(filter(is_main, found.values), key=lambda name: not name.startswith(WORLD)):
+        values = found.values[name]
         told = spread(values)
-        if not is_main(name) or not told.runs:
+        if not told.runs:
             continue
         words, unit = meaning(name.removeprefix(WORLD))
         if told.greatest - told.least <= _ALIKE * max(abs(told.least), abs(told.greatest)):

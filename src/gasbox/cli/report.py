@@ -63,7 +63,7 @@ _OF_MOLECULES: Final = (
 def meaning(name: str) -> tuple[str, str]:
     """How a number of a summary is called in tables and pictures, and its unit."""
     known = {row[0]: row[1:] for row in _ROWS}
-    return known.get(name, (name.replace("_", " "), ""))
+    return known.get(name, (name.replace("_", " ").replace(".", " "), ""))
 
 
 def warn(warnings: Iterable[str]) -> None:

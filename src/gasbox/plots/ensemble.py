@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from gasbox.plots.style import INK, POTENTIAL, QUIET, darker, dress, label, legend, new_figure
+from gasbox.plots.style import INK, POTENTIAL, QUIET, darker, dress, legend, new_figure
 
 __all__ = ["Fan", "Mark", "Pile", "draw_fans", "draw_pile", "ensemble_figure"]
 
@@ -73,6 +73,7 @@ def ensemble_figure(
     fans: Sequence[tuple[str, Sequence[Fan]]],
     piles: Sequence[Pile],
     title: str = "",
+    clock: str = "time",
 ) -> Figure:
     """Fans below each other over the whole width, then histograms, up to three side by side.
 
@@ -80,17 +81,18 @@ def ensemble_figure(
     ----------
     time : (k,) float64 [time]
     fans : label of an axis, and what is drawn along it
+    clock : unit of the time
     """
     columns = 2 if len(piles) == 4 else min(max(len(piles), 1), 3)
     rows = math.ceil(len(piles) / columns)
     heights = [height for height in (_FAN_HEIGHT * len(fans), _PILE_HEIGHT * rows) if height]
-    figure = new_figure(_WIDTH, sum(heights) + (0.5 if title else 0.0))
+    figure = new_figure(_WIDTH, sum(heights) + 0.25 * len(title.splitlines()))
     # Parts of their own, so that a legend beside the fans takes no room from the histograms.
     parts = list(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0])
     if fans:
         upper = parts.pop(0)
         for row, (axis, drawn) in enumerate(fans):
-            draw_fans(upper.add_subplot(len(fans), 1, row + 1), time, axis, drawn)
+            draw_fans(upper.add_subplot(len(fans), 1, row + 1), time, axis, drawn, clock)
     for number, pile in enumerate(piles):
         draw_pile(parts[0].add_subplot(rows, columns, number + 1), pile)
     if title:
@@ -98,11 +100,13 @@ def ensemble_figure(
     return figure
 
 
-def draw_fans(axes: Axes, time: NDArray[np.float64], axis: str, fans: Sequence[Fan]) -> None:
+def draw_fans(
+    axes: Axes, time: NDArray[np.float64], axis: str, fans: Sequence[Fan], clock: str = "time"
+) -> None:
     """The median of all runs, where 90 of 100 lie, and some single ones, so that one sees what a run is like."""
     for fan in fans:
         dark = darker(fan.color, 0.8)
-        low, median, high = np.nanquantile(fan.values, (0.05, 0.5, 0.95), axis=0)
+        low, median, high = _quantiles(fan.values)
         axes.fill_between(time, low, high, color=fan.color, alpha=0.22, linewidth=0.0)
         chosen = np.unique(np.linspace(0, len(fan.values) - 1, _SINGLE).round().astype(int))
         for run in chosen:
@@ -111,13 +115,22 @@ def draw_fans(axes: Axes, time: NDArray[np.float64], axis: str, fans: Sequence[F
     axes.fill_between([], [], [], color=QUIET, alpha=0.25, linewidth=0.0, label="90 of 100 runs")
     axes.plot([], [], color=QUIET, linewidth=0.6, label="single runs")
     axes.set_ylabel(axis)
-    axes.set_xlabel(label("time", "time"))
+    axes.set_xlabel(f"time [{clock}]")
     axes.set_xlim(float(time[0]), float(time[-1]))
     axes.ticklabel_format(axis="y", useOffset=False)
-    if np.nanmin([np.nanmin(fan.values) for fan in fans]) >= 0.0:
+    if not any(np.any(fan.values < 0.0) for fan in fans):
         axes.set_ylim(bottom=0.0)
     dress(axes)
     legend(axes, beside=True)
+
+
+def _quantiles(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(3, k) float64: 5, 50 and 95 of 100 runs lie below; nan where no run has a value."""
+    found = np.full((3, values.shape[1]), np.nan)
+    known = np.any(np.isfinite(values), axis=0)
+    if np.any(known):
+        found[:, known] = np.nanquantile(values[:, known], (0.05, 0.5, 0.95), axis=0)
+    return found
 
 
 def draw_pile(axes: Axes, pile: Pile) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from gasbox.errors import Problem
 from gasbox.geometry import Rectangle
 from gasbox.scenario.dynamics import Forced, Walk
-from gasbox.scenario.epidemic import ByContact, Epidemic
+from gasbox.scenario.epidemic import ByContact, Duration, Epidemic
 from gasbox.scenario.epidemic_settings import (
     OF_CLOSENESS,
     OF_CONTACT,
@@ -82,7 +82,7 @@ def _species(parts: Parts, world: Epidemic) -> Iterator[Problem]:
             yield Problem(
                 "species", f"no {short(name)}", f"an epidemic needs a species {short(name)}{reason}"
             )
-    if "exposed" not in names and "exposed" in world.model_fields_set:
+    if "exposed" not in names and world.exposed != Duration():
         yield Problem("world.exposed", "no such species", 'goes with a species "exposed"')
 
 

@@ -211,11 +211,13 @@ class Simulation:
         self.wall_seconds += clock.perf_counter() - begin
 
     def _run_to(self, until: float) -> None:
-        if self._guide is not None:
-            while (time := self._guide.next) <= until:
-                self._move_to(time)
-                self._guide.act()
-        self._move_to(until)
+        while True:
+            turn = math.inf if self._guide is None else self._guide.next
+            self._move_to(min(turn, until))
+            # The clock may stand a rounding beyond, where it is the world's turn already.
+            if self._guide is None or turn > max(until, self.time):
+                return
+            self._guide.act()
 
     def _move_to(self, until: float) -> None:
         while self.dynamics.advance(self.state, until) is Status.FULL:

@@ -185,11 +185,13 @@ def epidemic_curve(
     seeds : part of the people who are infectious at the start
     law : of both times; "gamma" is not known here
     exposed : mean time before that [time]; 0 without
-    steps : of equal length
+    steps : of equal length, at least; more where the stages are short
     """
     stages = 1 if law == "exponential" else _OF_FIXED
     waits = stages if exposed > 0.0 else 0
     leave_e, leave_i, beta = waits / (exposed or 1.0), stages / duration, r0 / duration
+
+    steps = max(steps, math.ceil(until * max(leave_e, leave_i)))
 
     def slope(y: NDArray[np.float64]) -> NDArray[np.float64]:
         e, i = y[1 : 1 + waits], y[1 + waits : -1]

@@ -130,6 +130,11 @@ class Outbreak:
         window = max(self._dials["infectious_days"], 1.0) * self._world.day
         self._diary.see(self._people, state.time, window)
 
+    @property
+    def done(self) -> bool:
+        """Whether nothing more will happen: nobody is infected, and nobody is vaccinated any more."""
+        return infected(self._people.counts()) == 0 and not self._dials.get("vaccination_per_day")
+
     def take(self, change: SetWorld) -> None:
         """Give a setting another value.
 

@@ -9,9 +9,11 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from gasbox.scenario import ScheduledChange
 from gasbox.state import Change, SetWorld
+from gasbox.theory.epidemic import final_size
 
-__all__ = ["INFECTED", "STAGES", "Course", "Mark", "marks", "thinned"]
+__all__ = ["INFECTED", "STAGES", "Course", "Mark", "chosen", "marks", "thinned"]
 
 STAGES: Final = ("infectious", "asymptomatic", "exposed", "susceptible", "vaccinated", "recovered", "dead")
 """Names of species that are stages of the disease, in the order in which they are stacked, from below."""
@@ -36,6 +38,8 @@ class Course:
     days : (k,) float64 [day]
     share : (k,) float64, infected people over all people
     over : whether nobody is infected any more
+    expected : part of those susceptible at the start who are infected in the end, were the people well mixed and the
+        settings as they are now (`theory.epidemic.final_size`); None where it cannot be told
     """
 
     day: float
@@ -51,6 +55,7 @@ class Course:
     days: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     share: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     over: bool = False
+    expected: float | None = None
 
     @classmethod
     def of(cls, view: Mapping[str, Any], series: Mapping[str, NDArray[np.float64]]) -> Course:
@@ -60,9 +65,13 @@ class Course:
         infected = np.zeros(days.size)
         for name in INFECTED:
             infected = infected + series.get(name, 0.0)
-        attack = None
+        attack = expected = None
         if days.size and series["susceptible"][0] > 0:
-            attack = (total - float(infected[0])) / float(series["susceptible"][0])
+            seeds, susceptible = float(infected[0]), float(series["susceptible"][0])
+            attack = (total - seeds) / susceptible
+            if view["r0"] is not None:
+                share = susceptible / people
+                expected = final_size(view["r0"], share, seeds / people) / share
         peak = view["peak"]
         return cls(
             day=float(view["day"]),
@@ -78,6 +87,7 @@ class Course:
             days=days,
             share=infected / max(people, 1),
             over=bool(view["over"]),
+            expected=expected,
         )
 
 
@@ -108,6 +118,16 @@ def marks(changes: Sequence[tuple[float, Change]], day: float) -> list[Mark]:
             found.remove(before)
         found.append(mark)
     return found
+
+
+def chosen(changes: Sequence[tuple[float, Change]], schedule: Sequence[ScheduledChange]) -> dict[str, float]:
+    """Name -> value of the settings that were changed live, by no schedule; `changes` are (time, change)."""
+    scheduled = [(entry.at, entry.change()) for entry in schedule]
+    return {
+        change.name: float(change.value)
+        for time, change in changes
+        if isinstance(change, SetWorld) and (time, change) not in scheduled
+    }
 
 
 def thinned(count: int, most: int = 240) -> NDArray[np.int64]:

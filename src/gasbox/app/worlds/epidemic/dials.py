@@ -21,18 +21,21 @@ class Group:
 
     Attributes
     ----------
-    measure : name in the world's ``active`` that says whether it is acting now; empty of what always acts
+    measure : name in the world's ``active`` that says whether it has begun; empty of what always acts
+    strength : setting that is 0 where the measure does nothing all the same; empty if there is none
     labels : name of a setting -> what its slider is called, and where it ends at first; None at the greatest value
     """
 
     title: str
     measure: str
+    strength: str
     labels: Mapping[str, tuple[str, float | None]]
 
 
 GROUPS: Final[tuple[Group, ...]] = (
     Group(
         "Disease",
+        "",
         "",
         {
             "probability_per_day": ("infection rate", 1.0),
@@ -48,6 +51,7 @@ GROUPS: Final[tuple[Group, ...]] = (
     Group(
         "Hygiene & distance",
         "distancing",
+        "distancing",
         {
             "hygiene": ("risk left by hygiene", None),
             "distancing": ("keeping distance", 4.0),
@@ -58,6 +62,7 @@ GROUPS: Final[tuple[Group, ...]] = (
     Group(
         "Quarantine",
         "quarantine",
+        "quarantine_probability",
         {
             "quarantine_probability": ("cases that are found", None),
             "quarantine_delay": ("found after", 10.0),
@@ -67,6 +72,7 @@ GROUPS: Final[tuple[Group, ...]] = (
     Group(
         "Travel & places",
         "travel",
+        "",
         {
             "travel_rate": ("journeys", 0.5),
             "travel_restricted_to": ("restricted to", 0.5),
@@ -77,6 +83,7 @@ GROUPS: Final[tuple[Group, ...]] = (
     ),
     Group(
         "Vaccination",
+        "",
         "",
         {
             "vaccination_per_day": ("vaccinated", 0.2),
@@ -144,7 +151,9 @@ def dials(
     """
     found = [(group, _of_group(group, settings, values, people)) for group in GROUPS]
     known = {name for group in GROUPS for name in group.labels}
-    rest = Group("More", "", {name: (name.replace("_", " "), None) for name in values if name not in known})
+    rest = Group(
+        "More", "", "", {name: (name.replace("_", " "), None) for name in values if name not in known}
+    )
     found.append((rest, _of_group(rest, settings, values, people)))
     return [(group, mine) for group, mine in found if mine]
 

@@ -33,6 +33,13 @@ def written(course: Course) -> dict[str, str]:
     }
 
 
+def _hint(course: Course) -> str:
+    """What theory says of a population without places or distances, in which anybody meets anybody."""
+    if course.r0 is None or course.expected is None:
+        return ""
+    return f"Well mixed, R₀ = {number(course.r0, 2)}: {course.expected:.0%} infected in the end"
+
+
 class Numbers:
     """A grid of names and values; a second row of values while two runs are compared."""
 
@@ -51,7 +58,7 @@ class Numbers:
                 self._values[name] = first, second
             self._hint = ui.label("").classes("hint").mark("well-mixed")
 
-    def show(self, first: Course, second: Course | None, hint: str) -> None:
+    def show(self, first: Course, second: Course | None) -> None:
         """Write all numbers, and only those that have changed."""
         rows = written(first), {} if second is None else written(second)
         for name, labels in self._values.items():
@@ -59,6 +66,7 @@ class Numbers:
                 text = row.get(name, "")
                 if label.text != text:
                     label.set_text(text)
+        hint = _hint(first if second is None else second)
         if self._hint.text != hint:
             self._hint.set_text(hint)
         paired = "paired" in self._root.classes

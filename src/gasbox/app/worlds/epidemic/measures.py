@@ -97,7 +97,7 @@ class Measures:
 
     def __init__(self, groups: list[tuple[Group, list[Dial]]], choose: Choose) -> None:
         self._controls: dict[str, _DialControl] = {}
-        self._tabs: dict[str, ui.tab] = {}
+        self._tabs: list[tuple[Group, ui.tab]] = []
         self._active: dict[str, bool] = {}
         first = groups[0][0].title
         with ui.tabs().props('dense inline-label no-caps align=left aria-label="Measures"') as tabs:
@@ -105,7 +105,7 @@ class Measures:
             for group, _ in groups:
                 tab = ui.tab(group.title).mark(f"tab-{group.title}")
                 if group.measure:
-                    self._tabs[group.measure] = tab
+                    self._tabs.append((group, tab))
         with ui.tab_panels(tabs, value=first, animated=False).classes("measure-panels"):
             for group, mine in groups:
                 with ui.tab_panel(group.title), ui.element("div").classes("dials"):
@@ -117,10 +117,10 @@ class Measures:
         for name, control in self._controls.items():
             if name in settings:
                 control.show(settings[name])
-        for measure, tab in self._tabs.items():
-            acting = bool(active.get(measure))
-            if acting != self._active.get(measure, False):
-                self._active[measure] = acting
+        for group, tab in self._tabs:
+            acting = bool(active.get(group.measure)) and settings.get(group.strength, 1.0) > 0.0
+            if acting != self._active.get(group.title, False):
+                self._active[group.title] = acting
                 tab.props(add="alert" if acting else None, remove=None if acting else "alert")
 
     def forget(self) -> None:

@@ -35,6 +35,8 @@ _SHORT: Final = {
 _SAME_TIME: Final = 0.05
 """Days."""
 _MOST_LINES: Final = 12
+_FIRST: Final = 2.0
+"""Days in which the reproduction number is that of a few people, and sets no scale."""
 
 
 def stages(names: Sequence[str], colors: Mapping[str, str], people: int) -> dict[str, Any]:
@@ -56,7 +58,7 @@ def stages(names: Sequence[str], colors: Mapping[str, str], people: int) -> dict
     ]
     return {
         **_frame("People in each stage of the disease over the days, stacked.", _WHOLE, legend=stacked),
-        "yAxis": {**_axis("people"), "min": 0, "max": people, "axisLabel": _labels(_WHOLE)},
+        "yAxis": {**_axis("people"), "min": 0, "max": people, **_even(people)},
         "dataset": {"source": []},
         "series": [{**series[0], "markLine": _lines([])}, *series[1:]],
     }
@@ -67,7 +69,11 @@ def stages_now(series: Mapping[str, NDArray[np.float64]], said: Sequence[Mark]) 
     names = [name for name in STAGES if name in series]
     chosen = thinned(series["day"].size)
     rows = np.stack([series[name][chosen] for name in ("day", *names)], axis=1)
-    return {"dataset": {"source": _rows(rows)}, "series": [{"markLine": {"data": _at(said)}}]}
+    return {
+        "dataset": {"source": _rows(rows)},
+        "legend": {"data": _legend([name for name in names if series[name].any()])},
+        "series": [{"markLine": {"data": _at(said)}}],
+    }
 
 
 def spread() -> dict[str, Any]:
@@ -93,17 +99,20 @@ def spread_now(
 ) -> dict[str, Any]:
     """What is new about it, of one run or of two."""
     rows = _side_by_side((first["day"], first["r"]), None if second is None else (second["day"], second["r"]))
-    highest = max((value for row in rows for value in row[1:] if value is not None), default=0.0)
-    return {"dataset": {"source": rows}, "yAxis": {"max": float(max(2, int(np.ceil(min(highest, 20.0)))))}}
+    late = [row for row in rows if (row[0] or 0.0) > _FIRST] or rows
+    highest = max((value for row in late for value in row[1:] if value is not None), default=0.0)
+    top = next(end for end in (2, 3, 4, 6, 8, 10, 20) if end >= min(highest, 20.0))
+    return {
+        "dataset": {"source": rows},
+        "yAxis": {"max": top, "interval": 1 if top < 6 else 2 if top < 10 else top / 2},
+    }
 
 
 def runs() -> dict[str, Any]:
     """Infected people of two runs."""
     percent = '+x.toPrecision(3) + "\\u202f%"'
     return {
-        **_frame(
-            "Infected people of two runs over the days, in per cent of all.", percent, legend=["A", "B"]
-        ),
+        **_frame("Infected people over the days, in per cent of all: A solid, B dashed.", percent),
         "yAxis": {**_axis("infected  (%)"), "min": 0, "axisLabel": _labels("x")},
         "dataset": {"source": []},
         "series": [_curve("A", 1, COLORS[0], dashed=False), _curve("B", 2, COLORS[1], dashed=True)],
@@ -143,9 +152,8 @@ def _at(said: Sequence[Mark]) -> list[dict[str, Any]]:
     for mark in said:
         day, text = round(mark.day, 2), f"{_short(mark.name)} {_value(mark.value)}"
         if lines and day - lines[-1]["xAxis"] < _SAME_TIME:
-            lines[-1]["name"] += f", {text}"
-        else:
-            lines.append({"xAxis": day, "name": text})
+            text = f"{lines.pop()['name'].removesuffix(' …')} …"
+        lines.append({"xAxis": day, "name": text})
     return lines[-_MOST_LINES:]
 
 
@@ -189,7 +197,18 @@ def _curve(name: str, place: int, color: str, *, dashed: bool) -> dict[str, Any]
 
 
 def _axis(name: str) -> dict[str, Any]:
-    return {**plain_axis(name, 40), "axisLine": {"show": False}}
+    return {**plain_axis(name, 40), "axisLine": {"show": False}, "splitNumber": 4}
+
+
+def _even(people: int) -> dict[str, Any]:
+    """Marks at round numbers of people."""
+    power = 10.0 ** np.floor(np.log10(max(people, 10) / 4.0))
+    step = max(unit * power for unit in (1.0, 2.0, 2.5, 5.0) if unit * power <= max(people, 10) / 4.0)
+    return {"interval": step, "axisLabel": {**_labels(_WHOLE), "showMaxLabel": people % step == 0.0}}
+
+
+def _legend(names: Sequence[str]) -> list[dict[str, Any]]:
+    return [{"name": name, "icon": "roundRect"} for name in names]
 
 
 def _labels(show: str) -> dict[str, Any]:
@@ -209,23 +228,24 @@ def _frame(description: str, show: str, legend: Sequence[str] = ()) -> dict[str,
         "animation": False,
         "textStyle": {"fontFamily": FONT},
         "aria": {"enabled": True, "label": {"description": description}},
-        "grid": {"left": _LEFT, "right": 14, "top": 28 if legend else 10, "bottom": 38},
+        "grid": {
+            "left": _LEFT,
+            "right": 14,
+            "top": (42 if len(legend) > 4 else 24) if legend else 10,
+            "bottom": 38,
+        },
         "xAxis": days,
         "legend": {
             "show": bool(legend),
-            "data": [{"name": name, "icon": "roundRect"} for name in legend],
-            "type": "scroll",
+            "data": _legend(legend),
             "top": 0,
-            "left": _LEFT - 4,
-            "right": 8,
-            "itemWidth": 10,
-            "itemHeight": 10,
-            "itemGap": 9,
-            "textStyle": INK_TEXT,
-            "pageTextStyle": INK_TEXT,
-            "pageIconSize": 10,
-            "pageIconColor": "var(--muted)",
-            "pageIconInactiveColor": "var(--line-strong)",
+            "left": 8,
+            "right": 4,
+            "padding": 0,
+            "itemWidth": 9,
+            "itemHeight": 9,
+            "itemGap": 8,
+            "textStyle": {**INK_TEXT, "lineHeight": 13},
         },
         "tooltip": {
             "trigger": "axis",

@@ -12,7 +12,7 @@ from gasbox.app.canvas import LabCanvas
 from gasbox.app.registry import BusyError
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
-from gasbox.app.tandem import Tandem
+from gasbox.app.tandem import Encore, Tandem
 from gasbox.errors import GasboxError
 from gasbox.state import SetWorld
 
@@ -25,9 +25,9 @@ _PATIENCE = 20.0
 class Pair:
     """Two sessions in step, and the box of the second."""
 
-    def __init__(self, first: Session, second: Session) -> None:
+    def __init__(self, first: Session, second: Session, settings: Mapping[str, float]) -> None:
         self.second = second
-        self._tandem = Tandem(first, second)
+        self._tandem = Tandem(Encore(first, {}), Encore(second, settings))
         (boxes,) = ElementFilter(marker="boxes")
         with boxes, ui.element("section").classes("card box second").mark("second-box") as self._root:
             self._root.props('aria-label="The box of run B"')
@@ -55,15 +55,18 @@ class Pair:
             await run.io_bound(second.settle, _PATIENCE)
             if second.trouble is not None:
                 raise GasboxError(second.trouble)
-            begun = second.sample()
-            values = {} if begun is None else begun.world.get("settings", {})
             for name, value in settings.items():
-                if values.get(name) != value:
-                    await asyncio.wrap_future(second.change(SetWorld(name, value)))
+                await asyncio.wrap_future(second.change(SetWorld(name, value)))
         except BaseException:
             await run.io_bound(first.home.dismiss, second)
             raise
-        return cls(first, second)
+        return cls(first, second, settings)
+
+    def choose(self, which: str, name: str, value: float) -> Session:
+        """A setting of run "a" or "b" is to last; whose session to tell."""
+        encore = self._tandem.encores[which == "b"]
+        encore.settings[name] = value
+        return encore.session
 
     def sample(self) -> Sample | None:
         """The newest copy of the second."""

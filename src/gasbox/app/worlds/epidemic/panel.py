@@ -9,8 +9,9 @@ from nicegui import background_tasks, ui
 
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
+from gasbox.app.tandem import Encore
 from gasbox.app.worlds.epidemic import options
-from gasbox.app.worlds.epidemic.course import Course, marks
+from gasbox.app.worlds.epidemic.course import Course, chosen, marks
 from gasbox.app.worlds.epidemic.dials import dials
 from gasbox.app.worlds.epidemic.figures import Numbers
 from gasbox.app.worlds.epidemic.measures import Measures, settings_of
@@ -39,10 +40,11 @@ class EpidemicPanel:
     def __init__(self, session: Session, send: Send, charts: ui.element) -> None:
         self._session, self._send = session, send
         self._measures: Measures | None = None
-        self._values: dict[str, float] = {}
         self._version = -1
         self._beats = 0
         self._kept: Course | None = None
+        self._encore: Encore | None = None
+        """Of a run beside one that was kept: its measures last when it begins anew."""
         self._last: Course | None = None
         self.pair: Pair | None = None
         self._busy = False
@@ -111,12 +113,14 @@ class EpidemicPanel:
     # -- what is asked for ---------------------------------------------------------------------------------------
 
     def _choose(self, name: str, value: float) -> None:
-        self._values[name] = value
         change = SetWorld(name, value)
-        if self.pair is None or self._whose.value == "a":
+        if self._encore is not None:
+            self._encore.settings[name] = value
+        whose = self._session if self.pair is None else self.pair.choose(str(self._whose.value), name, value)
+        if whose is self._session:
             self._send(change)
         else:
-            background_tasks.create(self._send_second(self.pair.second, change), name="change of run B")
+            background_tasks.create(self._send_second(whose, change), name="change of run B")
 
     async def _send_second(self, second: Session, change: SetWorld) -> None:
         try:
@@ -137,31 +141,30 @@ class EpidemicPanel:
         if self._last is None or self._busy:
             return
         self._busy = True
-        kept, wanted = self._last, dict(self._values)
+        kept = self._last
+        self._encore = Encore(self._session, await self._chosen())
+        self._session.show.partner = self._encore
         self._session.pause()
         await asyncio.wrap_future(self._session.reset())
-        try:
-            sample = self._session.sample()
-            begun = {} if sample is None else settings_of(sample.world)
-            for name, value in wanted.items():
-                if begun.get(name) != value:
-                    await asyncio.wrap_future(self._session.change(SetWorld(name, value)))
-        except GasboxError as error:
-            self._tell(str(error))
         self._busy = False
         self._kept = kept
         self._arrange()
+
+    async def _chosen(self) -> dict[str, float]:
+        """Settings that were changed by hand in this run."""
+        session = self._session
+        changes = await asyncio.wrap_future(session.ask(lambda: tuple(session.show.simulation.changes)))
+        return chosen(changes, session.scenario.schedule)
 
     async def side_by_side(self) -> None:
         """Open the second box: A as the scenario says, B with the measures as they are set."""
         if self._busy or self.pair is not None:
             return
         self._busy = True
-        wanted = dict(self._values)
+        self._forget_kept()
         try:
             with self._root:
-                self.pair = await Pair.opened(self._session, wanted)
-            self._kept = None
+                self.pair = await Pair.opened(self._session, await self._chosen())
         except GasboxError as error:
             self._tell(f"{str(error)[:1].upper()}{str(error)[1:]}.")
         self._busy = False
@@ -170,10 +173,15 @@ class EpidemicPanel:
 
     async def alone(self) -> None:
         """Back to one run."""
-        self._kept = None
+        self._forget_kept()
         await self._part()
         self._turned()
         self._arrange()
+
+    def _forget_kept(self) -> None:
+        self._kept = None
+        if self._encore is not None:
+            self._session.show.partner = self._encore = None
 
     async def _part(self) -> None:
         pair, self.pair = self.pair, None
@@ -183,6 +191,7 @@ class EpidemicPanel:
 
     def end(self) -> None:
         """Another scenario has come."""
+        self._forget_kept()
         if self.pair is not None:
             background_tasks.create(self._part(), name="end of run B")
 
@@ -198,8 +207,7 @@ class EpidemicPanel:
         assert self._measures is not None
         other = None if self.pair is None else self.pair.sample()
         theirs = view if other is None or self._whose.value == "a" else other.world
-        self._values = settings_of(theirs)
-        self._measures.show(self._values, theirs.get("active", {}))
+        self._measures.show(settings_of(theirs), theirs.get("active", {}))
         if self._version != sample.version:
             self._version = sample.version
             self._beats = 0
@@ -216,7 +224,7 @@ class EpidemicPanel:
             first, second = self._kept, course
         elif other is not None and other.world:
             second = Course.of(other.world, other.series)
-        self.numbers.show(first, second, "")
+        self.numbers.show(first, second)
         shown = other if other is not None and other.world and self._whose.value == "b" else sample
         day = float(getattr(sample.scenario.world, "day", 1.0))
         which = "" if other is None else f"run {self._whose.value.upper()}"
@@ -225,4 +233,4 @@ class EpidemicPanel:
             options.spread_now(sample.series, None if other is None or not other.series else other.series)
         )
         if second is not None:
-            self._plots["runs"].tell(options.runs_now(first, second))
+            self._plots["runs"].tell(options.runs_now(first, second), "A solid, B dashed")

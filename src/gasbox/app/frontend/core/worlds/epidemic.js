@@ -28,12 +28,11 @@ export class EpidemicWorld {
   }
 
   rooms(context, { view, theme }) {
-    const { rooms, central, quarantine, counts } = this.view;
+    const { rooms, central, quarantine } = this.view;
     context.lineWidth = 1.25 * view.ratio;
-    context.strokeStyle = theme.wall;
+    context.strokeStyle = theme.obstacle;
     if (rooms.length > 1 || quarantine) for (const room of rooms) outline(context, view, room);
     context.setLineDash([2 * view.ratio, 3 * view.ratio]);
-    context.strokeStyle = theme.obstacle;
     for (const place of central ?? []) outline(context, view, place);
     if (!quarantine) return context.setLineDash([]);
     context.strokeStyle = colorOf("--heat", theme.obstacle);
@@ -43,7 +42,7 @@ export class EpidemicWorld {
     context.setLineDash([]);
     const [left, top] = view.toCanvas(quarantine[0], quarantine[3]);
     const width = (quarantine[2] - quarantine[0]) * view.scale;
-    label(context, view, theme, "quarantine", left + width / 2, top + 4 * view.ratio, width);
+    label(context, view, theme, "quarantine", left + width / 2, top + 4 * view.ratio, width, -24 * view.ratio);
   }
 
   // How far an infection reaches, faintly.
@@ -96,7 +95,7 @@ export class EpidemicWorld {
   facts(context, { view, theme }) {
     const { day, infected, over } = this.view;
     const text = `day ${day.toFixed(1)} · ${infected.toLocaleString("en").replaceAll(",", "\u2009")} infected${over ? " · over" : ""}`;
-    label(context, view, theme, text, 8 * view.ratio, 8 * view.ratio, Infinity, "left");
+    label(context, view, theme, text, 8 * view.ratio, 8 * view.ratio, Infinity);
   }
 }
 
@@ -114,14 +113,15 @@ function colorOf(name, otherwise) {
   return getComputedStyle(document.body).getPropertyValue(name).trim() || otherwise;
 }
 
-// Text on a ground of its own, so that it can be read over people; nothing if there is no room for it.
-function label(context, view, theme, text, x, y, room, align = "center") {
+// Text on a ground of its own, so that it can be read over people. In the middle of so much room; if that is too little,
+// higher up. Where the room is endless, from the left.
+function label(context, view, theme, text, x, y, room, lift = 0) {
   const size = 12 * view.ratio;
   context.font = `600 ${size}px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif`;
   context.textBaseline = "top";
   const width = context.measureText(text).width + 0.9 * size;
-  if (width > room) return;
-  const left = align === "center" ? x - width / 2 : x;
+  if (width > room) y += lift;
+  const left = room < Infinity ? Math.min(x - width / 2, view.width - width) : x;
   context.globalAlpha = 0.82;
   context.fillStyle = `rgb(${theme.box})`;
   context.beginPath();

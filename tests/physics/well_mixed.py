@@ -1,0 +1,77 @@
+"""Epidemics in crowds, for tests."""
+
+import numpy as np
+
+from gasbox.scenario import parse
+from gasbox.simulation import Simulation
+
+STAGES = ("susceptible", "exposed", "infectious", "asymptomatic", "recovered", "dead", "vaccinated")
+AREA, RADIUS = 100.0, 2.0
+
+
+def mixed(
+    r0, law, people, seed, ill=1, interval=0.1, stages=("susceptible", "infectious", "recovered"), **world
+):
+    """A crowd in which everybody is somewhere else at each look; one day is the mean infectious time."""
+    count = {"susceptible": people - ill, "infectious": ill}
+    rate = r0 * AREA / ((people - 1) * np.pi * RADIUS**2)
+    return parse(
+        {
+            "container": {"width": 10, "height": 10, "periodic": ["x", "y"]},
+            "species": [{"name": name, "radius": 0.001, "count": count.get(name, 0)} for name in stages],
+            # Four steps between two looks, each over almost half of the box and in a new direction.
+            "dynamics": {
+                "kind": "walk",
+                "time_step": interval / 4,
+                "speed": 4.7 / (interval / 4),
+                "turning": 5.0 / (interval / 4),
+            },
+            "world": {
+                "kind": "epidemic",
+                "transmission": {"by": "closeness", "radius": RADIUS, "probability_per_day": rate},
+                "infectious": {"law": law, "mean": 1.0},
+                "interval": interval,
+                **world,
+            },
+            "seed": seed,
+        }
+    )
+
+
+def slow(people, seed, speed, rate=0.2, **world):
+    """A town of 10 x 10 with walls, where a day is 1 and everybody is infectious for 5 days."""
+    return parse(
+        {
+            "container": {"width": 10, "height": 10},
+            "species": [
+                {
+                    "name": name,
+                    "radius": 0.001,
+                    "count": {"susceptible": people - 10, "infectious": 10}.get(name, 0),
+                }
+                for name in STAGES
+            ],
+            "dynamics": {"kind": "walk", "time_step": 0.1, "speed": speed, "turning": 1, "reach": 1.2},
+            "world": {
+                "kind": "epidemic",
+                "transmission": {"by": "closeness", "radius": 0.8, "probability_per_day": rate},
+                "exposed": {"law": "fixed", "mean": 0.2},
+                "infectious": {"law": "fixed", "mean": 5},
+                **world,
+            },
+            "seed": seed,
+        }
+    )
+
+
+def to_the_end(scenario, longest=400.0):
+    """The simulation, once nobody is infected any more."""
+    simulation = Simulation(scenario)
+    while simulation.time < longest and not simulation.world.summary()["over"]:
+        simulation.advance(until=simulation.time + 2.0)
+    return simulation
+
+
+def attack_rate(scenario):
+    """Part of the susceptible who are infected in the end."""
+    return to_the_end(scenario).world.summary()["attack_rate"]
