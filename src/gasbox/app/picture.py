@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.app import protocol
-from gasbox.app.aims import has_forces
+from gasbox.app.aims import walls_move
 from gasbox.app.look import Look
 from gasbox.app.molecule_numbers import energies_of
 from gasbox.app.sample import Bin, Followed
@@ -26,8 +26,7 @@ __all__ = ["find", "frame", "lit", "table"]
 def table(simulation: Simulation, generation: int) -> str:
     """The text message with the surroundings and the species."""
     scenario = simulation.scenario
-    # Under forces walls stay where they are.
-    return protocol.table(generation, simulation.geometry, scenario, handles=not has_forces(scenario))
+    return protocol.table(generation, simulation.geometry, scenario, handles=walls_move(scenario))
 
 
 def frame(

@@ -9,7 +9,7 @@ from typing import Final
 from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
-from gasbox.app.aims import has_forces
+from gasbox.app.aims import walls_come, walls_move
 from gasbox.app.reins import displacement_of, limits, movable, released
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
@@ -30,11 +30,10 @@ _OCTAVES: Final = 4
 def walls_with_controls(scenario: Scenario, geometry: Enclosure) -> list[int]:
     """Indices of the walls that can be changed by hand: dividers and what has a name, thermal and moving walls.
 
-    Under forces walls neither move nor go, so that only thermal ones are left. Bats and goal lines belong to their
-    game.
+    Where they can neither move nor go, only thermal ones are left. Bats and goal lines belong to their game.
     """
     first = side_count(geometry.container)
-    rigid = has_forces(scenario)
+    moves, comes = walls_move(scenario), walls_come(scenario)
     played = _played(scenario)
     found = []
     for index, wall in enumerate(geometry.walls):
@@ -43,7 +42,11 @@ def walls_with_controls(scenario: Scenario, geometry: Enclosure) -> list[int]:
         is_obstacle = index >= first
         named = is_obstacle and scenario.obstacles[index - first].name is not None
         divides = is_obstacle and scenario.obstacles[index - first].shape == "segment"
-        if wall.temperature is not None or (not rigid and (wall.motion is not None or named or divides)):
+        if (
+            wall.temperature is not None
+            or (moves and (wall.motion is not None or divides))
+            or (comes and (named or divides))
+        ):
             found.append(index)
     return found[:MOST_WALLS]
 
@@ -78,9 +81,9 @@ class WallControls:
         self._wall = wall = sample.geometry.walls[index]
         self._start = wall.temperature
         self._showing = False
-        rigid = has_forces(sample.scenario)
-        self._is_obstacle = not rigid and index >= side_count(sample.geometry.container)
-        self._moves = not rigid and can_move(sample.geometry, index)
+        scenario = sample.scenario
+        self._is_obstacle = walls_come(scenario) and index >= side_count(sample.geometry.container)
+        self._moves = walls_move(scenario) and can_move(sample.geometry, index)
         with ui.element("div").classes("wall-chip").props(f'role="group" aria-label="{_plain(wall.name)}"'):
             if self._is_obstacle:
                 self._present = ui.button(on_click=self.toggle, color=None).props("flat round dense")
