@@ -98,6 +98,8 @@ async def test_another_table_keeps_players_and_points(lab: Lab, variant: str) ->
     assert (lab.one("pong-variant").value, lab.one("pong-gas").value) == ("gas", 60)
     assert lab.one("pong-bat").value == "small"
     lab.one("pong-variant").set_value(variant)
+    if variant == "attractive":
+        assert lab.one("pong-temperature").value == Laid.of(table(variant=variant)).temperature
     lab.one("pong-gas").set_value(40)
     lab.one("pong-bat").set_value("large")
     lab.click("pong-lay")
