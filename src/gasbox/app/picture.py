@@ -15,6 +15,7 @@ from gasbox.app.sample import Bin, Followed
 from gasbox.geometry import Enclosure
 from gasbox.observe import temperature
 from gasbox.observe.histograms import values
+from gasbox.scenario import Demon
 from gasbox.state import Sites
 
 if TYPE_CHECKING:
@@ -26,7 +27,9 @@ __all__ = ["find", "frame", "lit", "table"]
 def table(simulation: Simulation, generation: int) -> str:
     """The text message with the surroundings and the species."""
     scenario = simulation.scenario
-    return protocol.table(generation, simulation.geometry, scenario, handles=walls_move(scenario))
+    # Beside a demon walls stay where they are.
+    handles = walls_move(scenario) and not isinstance(scenario.world, Demon)
+    return protocol.table(generation, simulation.geometry, scenario, handles=handles)
 
 
 def frame(

@@ -14,8 +14,8 @@ from gasbox.app.reins import displacement_of, limits, movable, released
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
 from gasbox.app.wording import number
-from gasbox.geometry import Enclosure, Geometry, Wall, side_count
-from gasbox.scenario import Scenario
+from gasbox.geometry import Enclosure, Geometry, Segment, Wall, side_count
+from gasbox.scenario import Demon, Scenario
 from gasbox.scenario.pong import Pong
 from gasbox.state import Change, SetWall
 
@@ -30,11 +30,12 @@ _OCTAVES: Final = 4
 def walls_with_controls(scenario: Scenario, geometry: Enclosure) -> list[int]:
     """Indices of the walls that can be changed by hand: dividers and what has a name, thermal and moving walls.
 
-    Where they can neither move nor go, only thermal ones are left. Bats and goal lines belong to their game.
+    Where they can neither move nor go, only thermal ones are left. Bats and goal lines belong to their game, the
+    divider with its gate to a demon.
     """
     first = side_count(geometry.container)
     moves, comes = walls_move(scenario), walls_come(scenario)
-    played = _played(scenario)
+    played = _played(scenario, geometry)
     found = []
     for index, wall in enumerate(geometry.walls):
         if wall.name in played:
@@ -51,10 +52,16 @@ def walls_with_controls(scenario: Scenario, geometry: Enclosure) -> list[int]:
     return found[:MOST_WALLS]
 
 
-def _played(scenario: Scenario) -> frozenset[str | None]:
-    """Names of the walls that a game cannot do without."""
-    world = scenario.world
-    return frozenset((world.left, world.right, *world.goals)) if isinstance(world, Pong) else frozenset()
+def _played(scenario: Scenario, geometry: Enclosure) -> frozenset[str | None]:
+    """Names of the walls that a world cannot do without."""
+    match scenario.world:
+        case Pong() as pong:
+            return frozenset((pong.left, pong.right, *pong.goals))
+        case Demon():
+            first = side_count(geometry.container)
+            segments = zip(geometry.walls[first:], geometry.obstacles, strict=True)
+            return frozenset(wall.name for wall, obstacle in segments if isinstance(obstacle, Segment))
+    return frozenset()
 
 
 def can_move(geometry: Enclosure, index: int) -> bool:
