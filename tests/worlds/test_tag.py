@@ -1,6 +1,7 @@
 """The world that the documentation builds: what it says of itself is what happened."""
 
 import importlib.util
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ import pytest
 from gasbox.errors import UsageError
 from gasbox.scenario import parse
 from gasbox.simulation import Simulation
-from gasbox.state import ContactKind, SetWorld
+from gasbox.state import ContactKind, Reply, SetWorld
 
 
 class Hits:
@@ -53,6 +54,11 @@ def test_the_page_shows_the_example(repository):
     code = (repository / "examples" / "tag.py").read_text("utf-8")
     assert len(code.splitlines()) <= 60
     assert f"```python\n{code}```" in (repository / "docs" / "worlds.md").read_text("utf-8")
+
+
+def test_the_page_names_all_that_a_world_may_answer(repository):
+    page = (repository / "docs" / "worlds.md").read_text("utf-8")
+    assert [each.__name__ for each in get_args(Reply) if f"| `{each.__name__}(" not in page] == []
 
 
 @pytest.mark.parametrize("kind", ["event-driven", "stepped"])

@@ -21,6 +21,8 @@ __all__ = ["Failure", "Member", "Plan", "ensemble", "plan_for"]
 
 _TIMES: Final = 201
 """Moments at which series of different runs are compared."""
+_PIECE: Final = 20
+"""Of these moments a gas without a world is halted only at every so many, to see whether anybody still waits."""
 _TASK: Final = 0.3
 """Seconds that a task for a worker should take: long beside what it costs to hand it over, short for who watches."""
 _MOST: Final = 200
@@ -150,7 +152,8 @@ def _one(plan: Plan, seed: int, stopped: Stopped) -> Member | None:
     """Run one seed on one thread; None if it was given up."""
     simulation = Simulation(plan.scenario.model_copy(update={"seed": seed}), threads=1)
     world = simulation.world
-    for time in plan.times[1:]:
+    piece = _PIECE if world is None else 1
+    for time in plan.times[piece::piece]:
         if stopped():
             return None
         if getattr(world, "done", False):
