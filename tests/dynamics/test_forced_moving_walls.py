@@ -15,6 +15,7 @@ WALLED = rectangle(24, 24, [])
 SWING = {"left": {"motion": {"kind": "sinusoid", "amplitude": 1.5, "period": 6}}}
 PATH = {"kind": "path", "points": [[0, 0], [3.001, 3], [6, -2], [9, 0]]}
 PADDLE = {"name": "paddle", "shape": "segment", "start": [12, 6], "end": [12, 18], "motion": PATH}
+POST = {"name": "post", "shape": "disc", "center": [8, 9], "radius": 2.5, "direction": [2, 1], "motion": PATH}
 PRESS = {"kind": "constant", "speed": -0.5, "stop": 8}
 PLACES = {
     "swinging side": {"container": WALLED, "walls": SWING},
@@ -23,6 +24,7 @@ PLACES = {
         "container": rectangle(24, 24, ["y"]),
         "obstacles": [{**PADDLE, "start": [12, 0], "end": [12, 24]}],
     },
+    "post": {"container": WALLED, "obstacles": [POST]},
     "all at once": {
         "container": WALLED,
         "walls": {"right": {"motion": PRESS}, **SWING},

@@ -32,6 +32,8 @@ def with_world(**changes):
         (with_world(goals=["goal-left"]), "world.goals"),
         (with_world(goals=["goal-left", "bat-left"]), "world.goals[1]"),
         (with_world(goals=["goal-left", "line"]), "world.goals[1]"),
+        (with_world(players={"left": "me"}), "world.players.left"),
+        (with_world(points=0), "world.points"),
         (with_obstacle(0, passes=["gas"]), "world.goals[0]"),
         (with_obstacle(1, direction=[1, 0]), "world.left"),
         (with_obstacle(3, temperature=1.0), "world.right"),

@@ -71,7 +71,7 @@ def test_idle_bats_let_balls_through_and_keep_the_gas():
     assert across.min() >= 0.8 * (1 - 1e-9)
     assert across.max() <= 159.2 * (1 + 1e-9)
     simulation.advance(frames=120)
-    assert np.hypot(*(ball(simulation)[0] - [80, 50])) < 2
+    assert np.hypot(*(ball(simulation)[0] - [80, 50])) < 15
     tell(simulation, restart=True)
     simulation.advance(frames=2)
     assert simulation.world.view()["score"] == [0, 0]
@@ -189,8 +189,8 @@ def test_the_computer_plays_the_better_the_higher_its_level():
 def test_bricks_go_when_the_ball_hits_them():
     simulation = game(variant="breakout", points=2)
     bricks = int((simulation.state.mass > 1e6).sum())
-    play(simulation, [90.0, 46.0], [400.0, 0.0])
-    simulation.advance(frames=20)
+    play(simulation, [95.0, 46.0], [400.0, 0.0])
+    simulation.advance(frames=10)
     view = simulation.world.view()
     left = int((simulation.state.mass > 1e6).sum())
     assert left == view["bricks"] == bricks - view["score"][0] < bricks
@@ -224,6 +224,22 @@ def test_looking_changes_nothing_and_a_snapshot_goes_on(variant, tmp_path):
     assert bits(later) == bits(pieces) == bits(whole)
 
 
+def test_a_ball_is_put_where_there_is_room():
+    """Under forces, a ball put upon another disc would blow the gas apart."""
+    simulation = game(variant="attractive", gas=400, seed=3)
+    for place in (151.0, 9.0, 151.0, 9.0):
+        play(simulation, [place, 95.0], [20.0 * (place - 80.0), 0.0])
+        simulation.advance(frames=2)
+        assert simulation.world.view()["phase"] == "serve"
+        at = ball(simulation)[0]
+        others = simulation.state.radius < 3
+        gaps = np.hypot(*(simulation.state.position[others] - at).T)
+        assert gaps.min() > 3.0
+        assert np.hypot(*(at - [80, 50])) < 22
+    assert np.hypot(*simulation.state.velocity.T).max() < 1500
+    assert simulation.world.view()["score"] == [2, 2]
+
+
 def test_what_players_did_can_be_played_again():
     live = game()
     rng = np.random.default_rng(3)
@@ -250,7 +266,13 @@ def test_settings_that_cannot_be():
 
 
 @pytest.mark.parametrize(
-    ("name", "variant"), [("pong", "gas"), ("pong-gravity", "gravity"), ("breakout", "breakout")]
+    ("name", "variant"),
+    [
+        ("pong", "gas"),
+        ("pong-attractive", "attractive"),
+        ("pong-gravity", "gravity"),
+        ("breakout", "breakout"),
+    ],
 )
 def test_shipped_tables_are_those_of_the_page(name, variant):
     assert load(name) == parse(pong_table(variant=variant))

@@ -9,6 +9,7 @@ __all__ = ["BATS", "VARIANTS", "pong_table"]
 
 VARIANTS: Final = {
     "gas": "Pong in a gas",
+    "attractive": "Pong in a gas that condenses",
     "gravity": "Pong in a falling gas",
     "breakout": "Breakout in a gas",
     "vacuum": "Pong in empty space",
@@ -17,6 +18,10 @@ VARIANTS: Final = {
 BATS: Final = {"small": 7.0, "medium": 10.0, "large": 16.0}
 """Half the height of a bat [length]."""
 
+_FRAME = 1 / 60
+"""[time]."""
+_STEPS = 140
+"""In a frame, under forces."""
 _WIDTH, _HEIGHT = 160.0, 100.0
 _LINE = 5.0
 """From the end of the table to the goal line [length]."""
@@ -25,11 +30,13 @@ _GAS, _BALL = 0.8, 3.0
 _BALL_MASS = 80.0
 _GRAVITY = -60.0
 _BRICK, _COLUMNS, _ROWS = 3.4, 4, 12
-_FIRST_BRICK = 108.0
+_FIRST_BRICK = 112.0
 """Where the first column of bricks stands [length]."""
 _WATCH: Final = {
     "gas": "The light gas jostles the heavy ball and slows it down; each bat gives it its speed back. "
     "Hit it with the rim of a bat to send it off at an angle, or while the bat moves to make it fast.",
+    "attractive": "The discs of this gas attract each other: they gather in droplets, which cling to each other "
+    "and to the ball, and which the ball breaks up.",
     "gravity": "Ball and gas fall: the gas is densest at the bottom, where the ball bounces, "
     "and thin at the top.",
     "breakout": "Each brick that the ball hits is a point. The gas presses on all of them from all sides "
@@ -40,8 +47,8 @@ _WATCH: Final = {
 
 
 def pong_table(
-    gas: int = 120,
-    temperature: float = 16000.0,
+    gas: int | None = None,
+    temperature: float | None = None,
     bat: str | float = "medium",
     variant: str = "gas",
     players: tuple[str, str] = ("human", "medium"),
@@ -54,8 +61,8 @@ def pong_table(
 
     Parameters
     ----------
-    gas : number of discs of gas, each of mass 1
-    temperature : of the gas, kept up by the ends of the table [energy]
+    gas : number of discs of gas, each of mass 1; without it, 120, of the attractive gas 240
+    temperature : of the gas [energy]; without it, 16000, of the attractive gas 4000
     bat : small, medium or large, or half its height [length]
     variant : one of `VARIANTS`
     players : left and right: human, easy, medium or hard; in breakout only the left one plays
@@ -75,11 +82,17 @@ def pong_table(
         raise ValueError(f"there is no pong {variant!r}; there are {', '.join(VARIANTS)}")
     if isinstance(bat, str) and bat not in BATS:
         raise ValueError(f"there is no {bat!r} bat; there are {', '.join(BATS)}")
-    alone = variant == "breakout"
+    alone, attractive = variant == "breakout", variant == "attractive"
+    if temperature is None:
+        temperature = 4000.0 if attractive else 16000.0
+    if gas is None:
+        gas = 240 if attractive else 120
+    # The ends of the table keep the gas as warm as it is; what attracts itself they cool, so that it condenses.
+    warm = {"temperature": 0.25 * temperature if attractive else temperature}
     half = BATS[bat] if isinstance(bat, str) else bat
     obstacles = [_goal("goal-left", _LINE), _bat("bat-left", half, False)]
     # Discs of gas that were caught between the ball and the end of the table would stop it: they pass the line, too.
-    walls = {"left": {"temperature": temperature}}
+    walls = {"left": warm}
     world: dict[str, Any] = {
         "kind": "pong",
         "ball": "ball",
@@ -92,7 +105,7 @@ def pong_table(
     }
     if not alone:
         obstacles += [_goal("goal-right", _WIDTH - _LINE), _bat("bat-right", half, True)]
-        walls["right"] = {"temperature": temperature}
+        walls["right"] = warm
         world |= {"right": "bat-right", "goals": ["goal-left", "goal-right"]}
         world["players"] = dict(zip(("left", "right"), players, strict=True))
     data: dict[str, Any] = {
@@ -107,8 +120,10 @@ def pong_table(
         "particles": [{"species": "ball", "position": [0.5 * _WIDTH, 0.5 * _HEIGHT], "velocity": [0.0, 0.0]}],
         "world": world,
         "dynamics": {"kind": "event-driven"},
-        "frame_interval": 1 / 60,
+        "frame_interval": _FRAME,
     }
+    if attractive:
+        data |= _forces(temperature)
     if variant == "gravity":
         data["gravity"] = [0.0, _GRAVITY]
     if alone:
@@ -134,6 +149,20 @@ def _gas(count: int, temperature: float, alone: bool) -> list[dict[str, Any]]:
             "region": region,
         }
     ]
+
+
+def _forces(temperature: float) -> dict[str, Any]:
+    """Attraction so strong that the gas just condenses, and a step as short as that needs."""
+    epsilon = 4.0 * temperature
+    steps = math.ceil(_STEPS * math.sqrt(temperature / 4000.0))
+    pairs = [
+        {"between": ["gas", "gas"], "epsilon": epsilon},
+        {"between": ["ball", "gas"], "epsilon": 0.5 * epsilon},
+    ]
+    return {
+        "dynamics": {"kind": "forced", "time_step": _FRAME / steps},
+        "forces": {"law": "lennard-jones", "pairs": pairs},
+    }
 
 
 def _ball() -> dict[str, Any]:

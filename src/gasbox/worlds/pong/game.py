@@ -18,6 +18,7 @@ from gasbox.worlds.pong.bat import Bat
 from gasbox.worlds.pong.meetings import Meetings
 from gasbox.worlds.pong.player import SKILLS, choice
 from gasbox.worlds.pong.score import NOBODY, OVER, PLAY, SERVE, Score
+from gasbox.worlds.pong.spot import free_spot
 from gasbox.worlds.pong.table import LEFT, RIGHT, table_of
 
 __all__ = ["PongGame"]
@@ -58,6 +59,7 @@ class PongGame:
         self.score, self.met = Score(), Meetings()
         self.looks = [0.0] * len(self.bats)
         self.asked = {"serve": False, "restart": False}
+        self.spot = np.array(self.table.center)
         self.bricks = 0
         self.first_bricks = 0
 
@@ -197,12 +199,11 @@ class PongGame:
         return [self._set(velocity=way)]
 
     def _hold(self, state: State, row: int) -> list[Reply]:
-        """The ball stays in the middle, however the gas pushes it."""
-        astray = np.hypot(*(state.position[row] - self.table.center)) > _ASTRAY * self.table.radius
-        if not astray and not state.velocity[row].any():
-            return []
-        place = np.array(self.table.center) if astray else None
-        return [self._set(place, np.zeros(2))]
+        """The ball stays where it was put, in the middle, however the gas pushes it."""
+        if np.hypot(*(state.position[row] - self.spot)) > _ASTRAY * self.table.radius:
+            self.spot = free_spot(self.table, state, row)
+            return [self._set(self.spot, np.zeros(2))]
+        return [self._set(velocity=np.zeros(2))] if state.velocity[row].any() else []
 
     def _set(
         self, position: NDArray[np.float64] | None = None, velocity: NDArray[np.float64] | None = None

@@ -32,6 +32,7 @@ def memory(game: PongGame) -> Memory:
         "sounds": np.array(score.sounds, np.int64),
         "players": np.array([PLAYERS.index(player) for player in game.players], np.int64),
         "looks": np.array(game.looks),
+        "spot": game.spot.copy(),
         "settings": np.array([game.points, game.ball_speed, game.paddle_speed]),
         "asked": np.array(list(game.asked.values()), np.int64),
         "bricks": np.array([game.bricks, game.first_bricks], np.int64),
@@ -57,6 +58,7 @@ def recall(game: PongGame, memory: Memory) -> None:
     )
     game.players = [PLAYERS[int(number)] for number in kept["players"]]
     game.looks = kept["looks"].astype(float).tolist()
+    game.spot = kept["spot"].astype(np.float64)
     points, ball_speed, paddle_speed = kept["settings"].astype(float).tolist()
     game.points, game.ball_speed, game.paddle_speed = round(points), ball_speed, paddle_speed
     game.asked = dict(zip(game.asked, kept["asked"].astype(bool).tolist(), strict=True))

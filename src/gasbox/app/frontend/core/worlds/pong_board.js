@@ -76,11 +76,12 @@ function net(context, { width, height }, view, theme) {
 // Two lines on a plate, so that they can be read over a gas.
 function lines(pen, [large, small], x, y, share) {
   const size = pen.size(share);
+  const less = Math.max(0.62 * size, 10 * pen.view.ratio);
   const gap = small ? 1.15 * size : 0;
-  const wide = Math.max(pen.width(large, size, 650), small ? pen.width(small, 0.62 * size, 500) : 0);
+  const wide = Math.max(pen.width(large, size, 650), small ? pen.width(small, less, 500) : 0);
   pen.plate(x, y + 0.45 * gap, wide + 1.4 * size, gap + 1.7 * size);
   pen.write(large, x, y, size, 650, 1);
-  if (small) pen.write(small, x, y + gap, 0.62 * size, 500, 0.85);
+  if (small) pen.write(small, x, y + gap, less, 500, 0.85);
 }
 
 class Pen {
