@@ -100,7 +100,9 @@ class Measures:
         self._tabs: list[tuple[Group, ui.tab]] = []
         self._active: dict[str, bool] = {}
         first = groups[0][0].title
-        with ui.tabs().props('dense inline-label no-caps align=left aria-label="Measures"') as tabs:
+        with ui.tabs().props(
+            'dense inline-label no-caps outside-arrows mobile-arrows align=left aria-label="Measures"'
+        ) as tabs:
             tabs.classes("measure-tabs")
             for group, _ in groups:
                 tab = ui.tab(group.title).mark(f"tab-{group.title}")
