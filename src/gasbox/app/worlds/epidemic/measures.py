@@ -120,7 +120,9 @@ class Measures:
             if name in settings:
                 control.show(settings[name])
         for group, tab in self._tabs:
-            acting = bool(active.get(group.measure)) and settings.get(group.strength, 1.0) > 0.0
+            acting = bool(active.get(group.measure)) and (
+                not group.strength or settings.get(group.strength, 0.0) > 0.0
+            )
             if acting != self._active.get(group.title, False):
                 self._active[group.title] = acting
                 tab.props(add="alert" if acting else None, remove=None if acting else "alert")
