@@ -7,7 +7,16 @@ from free_flight import FreeFlight
 from surroundings import matter, sample, walled
 
 from gasbox.app import real_units
-from gasbox.app.aims import Aim, Aims, aims_of, can_have_barostat, has_forces, power_unit
+from gasbox.app.aims import (
+    Aim,
+    Aims,
+    aims_of,
+    can_have_barostat,
+    has_forces,
+    power_unit,
+    walls_come,
+    walls_move,
+)
 from gasbox.scenario import Units
 from gasbox.state import SetBarostat, SetGravity, SetHeating, SetThermostat
 
@@ -55,6 +64,14 @@ def test_where_a_barostat_is_possible() -> None:
     hard = walled()
     assert not has_forces(hard)
     assert not can_have_barostat(hard, hard.geometry())
+
+
+def test_where_walls_can_move_and_go() -> None:
+    smooth = matter(forces={"walls": "repulsive"})
+    water = {"name": "water", "model": "water", "count": 3, "temperature": 1}
+    molecules = matter(molecules=[water])
+    assert [walls_move(one) for one in (walled(), matter(), smooth, molecules)] == [True, True, True, False]
+    assert [walls_come(one) for one in (walled(), matter(), smooth, molecules)] == [True, True, False, False]
 
 
 def test_by_hand_the_energy_of_a_pair_takes_ten_seconds() -> None:

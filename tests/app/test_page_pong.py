@@ -15,7 +15,7 @@ from gasbox.app.worlds.live_values import LiveValues
 from gasbox.app.worlds.pong_tables import Laid
 from gasbox.scenario import Scenario, parse
 from gasbox.scenario.pong_table import BATS, VARIANTS, pong_table
-from gasbox.state import SetWorld
+from gasbox.state import SetGravity, SetWorld
 
 
 class Player:
@@ -50,7 +50,19 @@ async def test_a_game_hides_the_charts_and_shows_its_controls(lab: Lab) -> None:
     assert not lab.page._show_charts
     assert (lab.one("pong-left").value, lab.one("pong-right").value) == ("human", "medium")
     assert lab.one("pong-points").value == 7
-    assert lab.page.surroundings.walls == []  # bats and goal lines cannot be taken away by mistake
+    assert not lab.page.surroundings.visible
+
+
+async def test_bats_and_goal_lines_cannot_be_taken_away(lab: Lab) -> None:
+    await opened(lab)
+    names = lab.session.scenario.geometry().wall_names
+    shown = {names[wall.index] for wall in lab.page.surroundings.walls}
+    assert shown <= {"left", "right"}
+    await lab.press("d")
+    await lab.press("g")
+    changes = lab.session._show.simulation.changes
+    await lab.until(lambda: changes)
+    assert [type(change) for _, change in changes] == [SetGravity]
 
 
 async def test_what_is_chosen_is_set(lab: Lab) -> None:
@@ -86,6 +98,8 @@ async def test_another_table_keeps_players_and_points(lab: Lab, variant: str) ->
     assert (lab.one("pong-variant").value, lab.one("pong-gas").value) == ("gas", 60)
     assert lab.one("pong-bat").value == "small"
     lab.one("pong-variant").set_value(variant)
+    if variant == "attractive":
+        assert lab.one("pong-temperature").value == Laid.of(table(variant=variant)).temperature
     lab.one("pong-gas").set_value(40)
     lab.one("pong-bat").set_value("large")
     lab.click("pong-lay")

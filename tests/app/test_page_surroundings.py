@@ -113,8 +113,16 @@ async def test_a_divider_is_moved_by_a_number(lab: Lab) -> None:
     await lab.until(lambda: lab.one("wall-4-value").text == "at 3.00")
 
 
-async def test_under_forces_walls_only_get_warmer_or_colder(lab: Lab) -> None:
+async def test_under_forces_walls_move_and_go(lab: Lab) -> None:
     await loaded(lab, matter(container=BOX, walls=EVERYTHING.walls, obstacles=[DIVIDER]))
+    await lab.until(lambda: [wall.index for wall in lab.page.surroundings.walls] == [0, 4])
+    lab.click("wall-4-present")
+    await lab.until(lambda: changes(lab) == [SetWall("divider", present=False)])
+
+
+async def test_molecules_under_forces_know_walls_that_get_warmer_or_colder(lab: Lab) -> None:
+    water = {"name": "water", "model": "water", "count": 3, "temperature": 1}
+    await loaded(lab, matter(container=BOX, walls=EVERYTHING.walls, obstacles=[DIVIDER], molecules=[water]))
     await lab.until(lambda: [wall.index for wall in lab.page.surroundings.walls] == [0])
     assert lab.one("wall-0-value").text == "T = 1.00"
     lab.one("wall-0-temperature").set_value(0.5)

@@ -103,7 +103,7 @@ def test_an_interrupted_ensemble_writes_what_there_is(tmp_path: Path) -> None:
         f"main({['ensemble', *wanted]!r})"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, env=environment(), timeout=120
+        [sys.executable, "-c", code], capture_output=True, text=True, env=environment(), timeout=300
     )
     assert done.returncode == 130, done.stderr
     assert "Interrupted: 3 of 1000000 runs are done." in done.stderr

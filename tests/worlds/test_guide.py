@@ -9,7 +9,9 @@ from gasbox.scenario import ScheduledChange, parse
 from gasbox.simulation import Simulation, run
 from gasbox.state import ContactKind, MoveWall, RemoveParticles, SetGravity, SetParticles, SetWorld
 
-KINDS = ["event-driven", "stepped"]
+KINDS = ["event-driven", "stepped", "forced"]
+RESCALING = {"kind": "velocity-rescaling", "temperature": 1, "time": 2}
+TIME_STEPS = {"stepped": 0.025, "forced": 0.0025}
 
 
 class Conversion:
@@ -79,6 +81,20 @@ class Conversion:
         return {}
 
 
+class Touch(Conversion):
+    """Under forces nobody collides: whoever comes near to a marked disc becomes one."""
+
+    def act(self, state, geometry):
+        gap = state.position[:, None] - state.position[None]
+        near = np.argwhere(np.triu(np.hypot(gap[..., 0], gap[..., 1]) < 0.7, 1))
+        self.hits += [(int(a), int(b)) for a, b in state.id[near]]
+        return super().act(state, geometry)
+
+
+def world(kind):
+    return Touch() if kind == "forced" else Conversion()
+
+
 def scenario(kind, **more):
     return parse(
         {
@@ -88,7 +104,8 @@ def scenario(kind, **more):
                 {"name": "plain", "radius": 0.3, "count": 60, "temperature": 1},
                 {"name": "marked", "radius": 0.35, "mass": 2},
             ],
-            "dynamics": {"kind": kind, **({"time_step": 0.025} if kind == "stepped" else {})},
+            "dynamics": {"kind": kind, **({"time_step": TIME_STEPS[kind]} if kind in TIME_STEPS else {})},
+            **({"thermostat": RESCALING} if kind == "forced" else {}),
             "frame_interval": 0.5,
             "seed": 3,
             **more,
@@ -111,7 +128,7 @@ def bits(simulation):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_looking_changes_nothing(kind):
-    one, other = (Simulation(scenario(kind), world=Conversion()) for _ in range(2))
+    one, other = (Simulation(scenario(kind), world=world(kind)) for _ in range(2))
     one.advance(until=20.0)
     for time in [0.1, 0.25, 0.3, 1.0, 1.0, 7.3, 12.25, 20.0]:
         other.advance(until=time)
@@ -126,12 +143,12 @@ def test_looking_changes_nothing(kind):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_snapshot_goes_on_with_the_same_bits(kind, tmp_path):
-    whole = Simulation(scenario(kind), world=Conversion())
+    whole = Simulation(scenario(kind), world=world(kind))
     whole.advance(until=6.0)
     whole.apply(SetWorld("pull", 0.2))
     whole.advance(until=7.25)
     whole.save(tmp_path / "now.json")
-    later = Simulation.restore(tmp_path / "now.json", world=Conversion())
+    later = Simulation.restore(tmp_path / "now.json", world=world(kind))
     assert not later.world.begun
     for each in (whole, later):
         each.advance(until=15.0)
@@ -141,13 +158,13 @@ def test_a_snapshot_goes_on_with_the_same_bits(kind, tmp_path):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_what_was_asked_of_a_world_repeats_as_a_schedule(kind):
-    live = Simulation(scenario(kind), world=Conversion())
+    live = Simulation(scenario(kind), world=world(kind))
     for time, pull in [(3.0, 0.1), (4.1, 0.4), (7.5, 0.0)]:
         live.advance(until=time)
         live.apply(SetWorld("pull", pull))
     live.advance(until=12.0)
     assert [change for _, change in live.changes] == [SetWorld("pull", pull) for pull in (0.1, 0.4, 0.0)]
-    again = Simulation(scenario(kind), world=Conversion())
+    again = Simulation(scenario(kind), world=world(kind))
     again._plan = [ScheduledChange.of(*entry) for entry in live.changes][::-1]
     again.advance(until=12.0)
     assert bits(live) == bits(again)
@@ -162,11 +179,11 @@ def test_without_a_world_nothing_can_be_set():
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_recorded_frame_goes_on_with_the_same_bits(kind, tmp_path):
-    simulation = Simulation(scenario(kind), world=Conversion())
+    simulation = Simulation(scenario(kind), world=world(kind))
     with Recorder(tmp_path / "run.h5", simulation.scenario_in_use) as recorder:
         for frame in run(simulation, frames=24):
             recorder.write(frame, {}, simulation.changes)
     with open_recording(tmp_path / "run.h5") as recording:
-        middle = Simulation(recording.scenario_at(13), world=Conversion())
+        middle = Simulation(recording.scenario_at(13), world=world(kind))
     middle.advance(until=12.0)
     assert bits(middle) == bits(simulation)

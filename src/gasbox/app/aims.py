@@ -13,7 +13,16 @@ from gasbox.state import Change, SetBarostat, SetHeating, SetThermostat
 if TYPE_CHECKING:
     from gasbox.app.sample import Sample
 
-__all__ = ["Aim", "Aims", "aims_of", "can_have_barostat", "has_forces", "power_unit"]
+__all__ = [
+    "Aim",
+    "Aims",
+    "aims_of",
+    "can_have_barostat",
+    "has_forces",
+    "power_unit",
+    "walls_come",
+    "walls_move",
+]
 
 _SECONDS: Final = 10.0
 """For which one must heat by hand, at speed 1, until each disc has the energy that holds a pair together."""
@@ -83,6 +92,17 @@ def _led(aim: Aim | None, goal: float | None, time: float, over: float) -> Aim |
 def has_forces(scenario: Scenario) -> bool:
     """Whether discs attract or repel each other at a distance."""
     return isinstance(scenario.dynamics, Forced)
+
+
+def walls_move(scenario: Scenario) -> bool:
+    """Whether walls can move: under forces, those of molecules stay where they are."""
+    return not has_forces(scenario) or all(len(kind.sites) == 1 for kind in scenario.kinds)
+
+
+def walls_come(scenario: Scenario) -> bool:
+    """Whether walls can come and go: not if they also push back smoothly."""
+    smooth = scenario.forces is not None and scenario.forces.walls == "repulsive"
+    return walls_move(scenario) and not smooth
 
 
 def can_have_barostat(scenario: Scenario, geometry: Geometry) -> bool:

@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.app import protocol
-from gasbox.app.aims import has_forces
+from gasbox.app.aims import walls_move
 from gasbox.app.look import Look
 from gasbox.app.molecule_numbers import energies_of
 from gasbox.app.sample import Bin, Followed
 from gasbox.geometry import Enclosure
 from gasbox.observe import temperature
 from gasbox.observe.histograms import values
+from gasbox.scenario import Demon
 from gasbox.state import Sites
 
 if TYPE_CHECKING:
@@ -26,8 +27,9 @@ __all__ = ["find", "frame", "lit", "table"]
 def table(simulation: Simulation, generation: int) -> str:
     """The text message with the surroundings and the species."""
     scenario = simulation.scenario
-    # Under forces walls stay where they are.
-    return protocol.table(generation, simulation.geometry, scenario, handles=not has_forces(scenario))
+    # Beside a demon walls stay where they are.
+    handles = walls_move(scenario) and not isinstance(scenario.world, Demon)
+    return protocol.table(generation, simulation.geometry, scenario, handles=handles)
 
 
 def frame(

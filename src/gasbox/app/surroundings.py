@@ -12,6 +12,7 @@ from gasbox.app.session import Session
 from gasbox.app.wall_controls import WallControls, can_move, walls_with_controls
 from gasbox.errors import GasboxError
 from gasbox.geometry import Enclosure, Geometry, side_count
+from gasbox.scenario.pong import Pong
 from gasbox.state import Change
 
 __all__ = ["Surroundings"]
@@ -41,16 +42,18 @@ class Surroundings:
         self._root.set_visibility(not self.visible)
 
     def show(self, sample: Sample) -> None:
-        """Show gravity and walls as they are now; a gas with anything special about them opens the row."""
+        """Show gravity and walls as they are now; a gas with anything special about them opens the row.
+
+        A game does not: its court needs the room.
+        """
         self._sample = sample
         geometry = sample.geometry
         indices = walls_with_controls(sample.scenario, geometry) if isinstance(geometry, Enclosure) else []
         built = (sample.version, *indices, *(_kinds(geometry, index) for index in indices))
         if built != self._built:
             if self._built[:1] != built[:1]:
-                self._root.set_visibility(
-                    isinstance(geometry, Enclosure) and bool(indices or any(geometry.gravity))
-                )
+                special = isinstance(geometry, Enclosure) and bool(indices or any(geometry.gravity))
+                self._root.set_visibility(special and not isinstance(sample.scenario.world, Pong))
             self._built = built
             self._chips.clear()
             with self._chips:

@@ -9,13 +9,13 @@ from typing import Final
 from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
-from gasbox.app.aims import has_forces
+from gasbox.app.aims import walls_come, walls_move
 from gasbox.app.reins import displacement_of, limits, movable, released
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
 from gasbox.app.wording import number
-from gasbox.geometry import Enclosure, Geometry, Wall, side_count
-from gasbox.scenario import Scenario
+from gasbox.geometry import Enclosure, Geometry, Segment, Wall, side_count
+from gasbox.scenario import Demon, Scenario
 from gasbox.scenario.pong import Pong
 from gasbox.state import Change, SetWall
 
@@ -30,12 +30,12 @@ _OCTAVES: Final = 4
 def walls_with_controls(scenario: Scenario, geometry: Enclosure) -> list[int]:
     """Indices of the walls that can be changed by hand: dividers and what has a name, thermal and moving walls.
 
-    Under forces walls neither move nor go, so that only thermal ones are left. Bats and goal lines belong to their
-    game.
+    Where they can neither move nor go, only thermal ones are left. Bats and goal lines belong to their game, the
+    divider with its gate to a demon.
     """
     first = side_count(geometry.container)
-    rigid = has_forces(scenario)
-    played = _played(scenario)
+    moves, comes = walls_move(scenario), walls_come(scenario)
+    played = _played(scenario, geometry)
     found = []
     for index, wall in enumerate(geometry.walls):
         if wall.name in played:
@@ -43,15 +43,25 @@ def walls_with_controls(scenario: Scenario, geometry: Enclosure) -> list[int]:
         is_obstacle = index >= first
         named = is_obstacle and scenario.obstacles[index - first].name is not None
         divides = is_obstacle and scenario.obstacles[index - first].shape == "segment"
-        if wall.temperature is not None or (not rigid and (wall.motion is not None or named or divides)):
+        if (
+            wall.temperature is not None
+            or (moves and (wall.motion is not None or divides))
+            or (comes and (named or divides))
+        ):
             found.append(index)
     return found[:MOST_WALLS]
 
 
-def _played(scenario: Scenario) -> frozenset[str | None]:
-    """Names of the walls that a game cannot do without."""
-    world = scenario.world
-    return frozenset((world.left, world.right, *world.goals)) if isinstance(world, Pong) else frozenset()
+def _played(scenario: Scenario, geometry: Enclosure) -> frozenset[str | None]:
+    """Names of the walls that a world cannot do without."""
+    match scenario.world:
+        case Pong() as pong:
+            return frozenset((pong.left, pong.right, *pong.goals))
+        case Demon():
+            first = side_count(geometry.container)
+            segments = zip(geometry.walls[first:], geometry.obstacles, strict=True)
+            return frozenset(wall.name for wall, obstacle in segments if isinstance(obstacle, Segment))
+    return frozenset()
 
 
 def can_move(geometry: Enclosure, index: int) -> bool:
@@ -78,9 +88,9 @@ class WallControls:
         self._wall = wall = sample.geometry.walls[index]
         self._start = wall.temperature
         self._showing = False
-        rigid = has_forces(sample.scenario)
-        self._is_obstacle = not rigid and index >= side_count(sample.geometry.container)
-        self._moves = not rigid and can_move(sample.geometry, index)
+        scenario = sample.scenario
+        self._is_obstacle = walls_come(scenario) and index >= side_count(sample.geometry.container)
+        self._moves = walls_move(scenario) and can_move(sample.geometry, index)
         with ui.element("div").classes("wall-chip").props(f'role="group" aria-label="{_plain(wall.name)}"'):
             if self._is_obstacle:
                 self._present = ui.button(on_click=self.toggle, color=None).props("flat round dense")

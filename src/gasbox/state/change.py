@@ -180,7 +180,8 @@ class SetParticles:
     Attributes
     ----------
     ids : (k,) int64, each once
-    position : (k, 2) float64 [length]; None leaves them where they are. Hard discs that would overlap are moved apart
+    position : (k, 2) float64 [length]; None leaves them where they are. Hard discs that would overlap are moved apart,
+        and so are those that forces would push extremely
     velocity : (k, 2) float64 [length/time]; None leaves it
     species : (k,) int32, index of a kind, whose mass and radius they get; None leaves it
     """

@@ -69,7 +69,9 @@ class TableMenu:
             ui.menu().props('aria-label="Table"') as self._menu,
             ui.element("div").classes("bins-form"),
         ):
-            self._variant = ui.select(dict(VARIANTS), label="game", value=laid.variant)
+            self._variant = ui.select(
+                dict(VARIANTS), label="game", value=laid.variant, on_change=self._suggest
+            )
             self._variant.props(_FIELD).mark("pong-variant")
             self._gas = ui.number("particles of gas", min=0, max=2000, step=10, value=laid.gas)
             self._gas.props(_FIELD).mark("pong-gas")
@@ -81,6 +83,12 @@ class TableMenu:
             lay = ui.button("New game on this table", on_click=self._lay)
             lay.props("unelevated no-caps color=primary").mark("pong-lay")
         button.classes("quiet").mark("pong-table").tooltip("Kind of game, gas and bats")
+
+    def _suggest(self) -> None:
+        """Each kind of game has its own usual gas."""
+        usual = Laid.of(parse(pong_table(variant=self._variant.value)))
+        self._gas.set_value(usual.gas)
+        self._temperature.set_value(usual.temperature)
 
     def _arguments(self) -> dict[str, Any]:
         given = {

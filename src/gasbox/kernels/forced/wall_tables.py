@@ -36,7 +36,7 @@ from gasbox.kernels.hall.tables import (
     Hall,
 )
 
-__all__ = ["Walls", "approach", "away_before", "distance", "note_walls", "seen", "stand", "walls"]
+__all__ = ["Walls", "approach", "approach_before", "distance", "note_walls", "seen", "stand", "walls"]
 
 
 class Walls(NamedTuple):
@@ -167,9 +167,8 @@ def approach(walls: Walls, entry: int, atoms: Atoms, box: Box) -> tuple[int, int
 
 
 @inlined_kernel
-def away_before(walls: Walls, entry: int, box: Box) -> float:
-    """Distance of an entry of the list before the step."""
+def approach_before(walls: Walls, entry: int, box: Box) -> tuple[float, float, float]:
+    """Normal and distance of an entry of the list before the step."""
     k = walls.near[entry, 0]
     x, y = seen(walls, entry, walls.earlier, walls.was_x[k], walls.was_y[k], box)
-    _, _, away = distance(walls.hall, walls.near[entry, 1], x, y)
-    return away
+    return distance(walls.hall, walls.near[entry, 1], x, y)

@@ -18,7 +18,7 @@ from gasbox.kernels.arguments import Box, Gas, Ledger, book_hall
 from gasbox.kernels.forced.bodies import Bodies
 from gasbox.kernels.forced.passing import cross, lets_pass
 from gasbox.kernels.forced.tables import Atoms
-from gasbox.kernels.forced.wall_tables import Walls, approach, away_before, distance
+from gasbox.kernels.forced.wall_tables import Walls, approach, approach_before, distance
 from gasbox.kernels.hall.motion import push
 from gasbox.kernels.hall.rebound import thermal_speeds
 from gasbox.kernels.hall.tables import (
@@ -143,7 +143,11 @@ def _mirror(
     row, mass, number = atoms.row[k], atoms.mass[k], hall.kind[e, WALL]
     soft, line = hall.rule[number, SOFT] != 0, gas.radius[row]
     if soft:
-        line = min(line, away_before(walls, entry, box))
+        was_x, was_y, was_away = approach_before(walls, entry, box)
+        line = min(line, was_away)
+        if hall.kind[e, KIND] == SIDE and was_x * nx + was_y * ny < 0.0 and max(away, was_away) < math.inf:
+            # It has got to the other side in this step.
+            nx, ny, away = was_x, was_y, -away
     deep = line - away
     if not deep > 0.0 or hall.rule[number, OPEN]:
         return

@@ -119,7 +119,7 @@ export class CpuRenderer {
     const strong = Uint32Array.from(scene.palette.strong, pack);
     const dim = Uint32Array.from(scene.palette.dim, pack);
     const share = shareOf(frame) * scale;
-    const radii = Float64Array.from(discs.radii, (r) => r * share);
+    const radii = Float64Array.from(discs.radii, (r) => Math.max(r * share, table.least * view.ratio));
     const sprites = Array.from(radii, (r) => (r > 0 && r <= STAMPED ? this.sprites(r) : null));
     const { periodicX, periodicY } = table;
     const [left, bottom, right, top] = extent(table, frame);

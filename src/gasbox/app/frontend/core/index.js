@@ -144,6 +144,7 @@ class Lab {
       this.trail.forget();
     }
     this.world.settle(table.world);
+    table.least = this.world.least;
     this.show(same ? room.map((end, k) => (k < 2 ? Math.min : Math.max)(end, this.view.room[k])) : room);
     this.mixColors();
   }

@@ -161,7 +161,7 @@ export class GlRenderer {
     return [left, height - bottom, right - left, bottom - top];
   }
 
-  upload({ palette }, discs) {
+  upload({ palette, frame, table, view }, discs) {
     const { gl } = this;
     const [position, species, lit, shades] = this.buffers;
     const picks = shadesOf(discs);
@@ -176,7 +176,8 @@ export class GlRenderer {
     attribute(gl, 2, lit, 1, gl.UNSIGNED_BYTE);
     attribute(gl, 3, shades, 1, whole(gl, picks));
     const radii = new Float32Array(ROOM);
-    radii.set(discs.radii);
+    const least = (table.least * view.ratio) / (view.scale * shareOf(frame));
+    radii.set(discs.radii.map((r) => Math.max(r, least)));
     gl.activeTexture(gl.TEXTURE0);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, ROOM, 1, 0, gl.RED, gl.FLOAT, radii);
     const colors = new Uint8Array(ROOM * 2 * 4).fill(255);

@@ -31,6 +31,11 @@ export class WorldOverlay {
     if (this.view) this.world?.hear?.(this.view);
   }
 
+  // CSS pixels: no disc is drawn with a smaller radius.
+  get least() {
+    return this.world?.constructor.LEAST ?? 0;
+  }
+
   hear(view) {
     this.view = view;
     this.world?.hear?.(view);

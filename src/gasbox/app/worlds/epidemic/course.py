@@ -37,6 +37,7 @@ class Course:
     r0 : of a well-mixed population with the present settings; None where it cannot be told
     days : (k,) float64 [day]
     share : (k,) float64, infected people over all people
+    spread : (k,) float64, reproduction number; nan where it could not be told
     over : whether nobody is infected any more
     expected : part of those susceptible at the start who are infected in the end, were the people well mixed and the
         settings as they are now (`theory.epidemic.final_size`); None where it cannot be told
@@ -54,6 +55,7 @@ class Course:
     r0: float | None
     days: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     share: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    spread: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
     over: bool = False
     expected: float | None = None
 
@@ -86,6 +88,7 @@ class Course:
             r0=view["r0"],
             days=days,
             share=infected / max(people, 1),
+            spread=np.asarray(series.get("r", np.zeros(0))),
             over=bool(view["over"]),
             expected=expected,
         )

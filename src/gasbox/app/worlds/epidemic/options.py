@@ -94,11 +94,9 @@ def spread() -> dict[str, Any]:
     }
 
 
-def spread_now(
-    first: Mapping[str, NDArray[np.float64]], second: Mapping[str, NDArray[np.float64]] | None
-) -> dict[str, Any]:
+def spread_now(first: Course, second: Course | None) -> dict[str, Any]:
     """What is new about it, of one run or of two."""
-    rows = _side_by_side((first["day"], first["r"]), None if second is None else (second["day"], second["r"]))
+    rows = _side_by_side((first.days, first.spread), None if second is None else (second.days, second.spread))
     late = [row for row in rows if (row[0] or 0.0) > _FIRST] or rows
     highest = max((value for row in late for value in row[1:] if value is not None), default=0.0)
     top = next(end for end in (2, 3, 4, 6, 8, 10, 20) if end >= min(highest, 20.0))

@@ -219,18 +219,17 @@ class EpidemicPanel:
     def _draw(self, sample: Sample, other: Sample | None) -> None:
         course = Course.of(sample.world, sample.series)
         self._last = course
-        first, second = course, None
+        first, second, shown, whose = course, None, sample, ""
         if self._kept is not None:
-            first, second = self._kept, course
+            first, second, whose = self._kept, course, "run B"
         elif other is not None and other.world:
             second = Course.of(other.world, other.series)
+            whose = f"run {str(self._whose.value).upper()}"
+            shown = other if self._whose.value == "b" else sample
         self.numbers.show(first, second)
-        shown = other if other is not None and other.world and self._whose.value == "b" else sample
-        day = float(getattr(sample.scenario.world, "day", 1.0))
-        which = "" if other is None else f"run {self._whose.value.upper()}"
-        self._plots["stages"].tell(options.stages_now(shown.series, marks(shown.changes, day)), which)
-        self._plots["spread"].tell(
-            options.spread_now(sample.series, None if other is None or not other.series else other.series)
-        )
+        world = sample.scenario.world
+        day = world.day if isinstance(world, Epidemic) else 1.0
+        self._plots["stages"].tell(options.stages_now(shown.series, marks(shown.changes, day)), whose)
+        self._plots["spread"].tell(options.spread_now(first, second))
         if second is not None:
             self._plots["runs"].tell(options.runs_now(first, second), "A solid, B dashed")

@@ -10,6 +10,8 @@ const LEAST_REACH = 3; // CSS pixels; a smaller circle shows nothing
 const SPREADING = ["infectious", "asymptomatic"];
 
 export class EpidemicWorld {
+  static LEAST = 1.2; // of thousands of people each is a point
+
   constructor(lab) {
     this.lab = lab;
     this.view = null;

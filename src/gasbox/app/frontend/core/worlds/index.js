@@ -4,8 +4,10 @@
 //   draw(context, scene): over discs and walls
 //   key(event, down) and pointer(x, y, event): whether it was for the world; x, y in the box [length]
 //   destroy()
+//   static LEAST: CSS pixels, the least radius with which people or discs are drawn
 // All but the constructor and `draw` may be left out.
+import { DemonWorld } from "./demon.js";
 import { EpidemicWorld } from "./epidemic.js";
 import { PongWorld } from "./pong.js";
 
-export const WORLDS = { pong: PongWorld, epidemic: EpidemicWorld };
+export const WORLDS = { pong: PongWorld, epidemic: EpidemicWorld, demon: DemonWorld };
