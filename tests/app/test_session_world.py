@@ -9,6 +9,9 @@ from session_steps import open_mailbox
 from gasbox.app.session import Session
 from gasbox.app.stream import _setting
 from gasbox.errors import UsageError
+from gasbox.scenario import parse
+from gasbox.scenario.pong_table import pong_table
+from gasbox.simulation import Simulation
 from gasbox.state import SetWorld
 
 
@@ -74,3 +77,25 @@ def test_what_is_no_setting_is_refused(session):
     for name, value in [(3, 1.0), ("dial", [1]), ("dial", None)]:
         with pytest.raises(ValueError, match="setting"):
             _setting(name, value)
+
+
+def test_a_bat_that_turns_round_needs_no_new_table():
+    """A table for each of sixty changes in a second would be too much; the frames say where the bat is."""
+    simulation = Simulation(parse(pong_table(gas=5, players=("human", "human"))))
+    one = Session(simulation.scenario, simulate=Simulation)
+    one.pause()
+    one.start(simulation)
+    one.settle()
+    try:
+        mailbox = open_mailbox(one)
+        laid = [json.loads(text) for text in iter(mailbox.take, None) if isinstance(text, str)]
+        table = next(text for text in laid if text["kind"] == "table")
+        assert [wall["motion"] for wall in table["walls"]] == [None] * 5 + ["driven", None, "driven"]
+        for push in (1, -1, 1):
+            one.change(SetWorld("left_push", push)).result(5)
+            one.step().result(5)
+            told = [json.loads(text) for text in iter(mailbox.take, None) if isinstance(text, str)]
+            assert "table" not in {text["kind"] for text in told}
+        assert simulation.state.wall_displacement[5] != 0.0
+    finally:
+        one.close()

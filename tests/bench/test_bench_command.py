@@ -30,9 +30,9 @@ def test_everything_is_measured(short: None) -> None:
     told: list[str] = []
     parts = list(bench.measure(True, told.append))
     forced = min(2, processors())
-    assert len(told) == len(parts) == 2 * (4 + forced) + 7
+    assert len(told) == len(parts) == 2 * (4 + forced) + 8
     # Small ones first, so that who interrupts it has seen as much as possible.
-    assert [part[0].particles for part in parts] == [100] * (4 + forced) + [200] * 7 + [300] * (4 + forced)
+    assert [part[0].particles for part in parts] == [100] * (4 + forced) + [200] * 8 + [300] * (4 + forced)
     programs = {part[0].task: [result.program for result in part] for part in parts}
     assert programs["event-driven, 0.3"] == ["gasbox", "plain loops"]
     assert programs["event-driven, mixture"] == ["gasbox", "gasbox, sizes 1:10", "gasbox, sizes 1:50"]

@@ -92,6 +92,33 @@ def test_one_disc_meets_a_moving_side(speed, after):
     assert tallies.wall_work[1, 0] == pytest.approx(-speed * (after - 2.0))
 
 
+GO = {"kind": "constant", "speed": 1.0, "stop": 6}
+MOVERS = {
+    "side": {"walls": {"left": {"motion": GO}}},
+    "segment": {"obstacles": [{"shape": "segment", "start": [1, 0], "end": [1, 4], "motion": GO}]},
+    "end of a segment": {
+        "obstacles": [{"shape": "segment", "start": [0.5, 0], "end": [0.5, 2.3], "motion": GO}]
+    },
+    "post": {
+        "obstacles": [{"shape": "disc", "center": [1, 2.7], "radius": 0.7, "direction": [1, 0], "motion": GO}]
+    },
+}
+
+
+@pytest.mark.small
+@pytest.mark.parametrize("mover", MOVERS.values(), ids=MOVERS.keys())
+def test_a_wall_finds_a_disc_at_rest(mover):
+    """Only the wall moves, so that only its own way tells that lists are old; along the normal n it gives 2 u·n."""
+    simulation = Simulation(scenario(rectangle(12.0, 4.0, []), [[5.0, 2.7]], time_step=0.02, **mover))
+    simulation.advance(until=5.0)
+    vx, vy = simulation.state.velocity[0]
+    speed = np.hypot(vx, vy)
+    assert speed == pytest.approx(2.0 * vx / speed, rel=0.01)
+    assert vx > 0.6
+    work = simulation.dynamics.tallies.wall_work.sum()
+    assert work == pytest.approx(0.5 * speed**2)
+
+
 def test_thermal_walls_that_move_give_work_and_heat():
     walls = {"left": {"motion": SWING["left"]["motion"], "temperature": 1.5}}
     simulation = make({"container": WALLED, "walls": walls}, time_step=0.002)

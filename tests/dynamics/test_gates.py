@@ -1,4 +1,6 @@
-"""Gates with a rule for each direction, under hard discs and under the stepped rule."""
+"""Gates with a rule for each direction, for hard discs, under the stepped rule and under forces."""
+
+import math
 
 import numpy as np
 import pytest
@@ -8,6 +10,8 @@ from gases import state_of
 from gasbox.dynamics import Stepped, altered
 from gasbox.geometry import Gate, Passage, Segment
 from gasbox.geometry.conserved import is_solid, lets_everybody_pass
+from gasbox.scenario import parse
+from gasbox.simulation import Simulation
 from gasbox.state import Contacts, SetGate, Tallies, Way
 
 pytestmark = pytest.mark.small
@@ -48,6 +52,25 @@ def test_each_direction_has_its_rule(engine, gate, species, speed, is_let):
     assert bool(state.velocity[0, 0] == normal * speed) is is_let
     assert bool((state.position[0, 0] - 8.0) * (begin - 8.0) < 0.0) is is_let
     assert dynamics.tallies.wall_passed[4].sum() == is_let
+
+
+@pytest.mark.parametrize(
+    ("species", "speed", "is_let"), [("a", 1.5, True), ("a", 0.7, False), ("b", -0.7, True)]
+)
+def test_each_direction_has_its_rule_under_forces(species, speed, is_let):
+    ways = {"forward": {"species": ["a"], "least_speed": 1.0}, "backward": {"greatest_speed": 1.0}}
+    begin = 8.0 - math.copysign(2.0, speed)
+    data = {
+        "container": {"width": 16, "height": 12},
+        "obstacles": [{"shape": "segment", "name": "gate", "start": [8, 0], "end": [8, 12], "passes": ways}],
+        "species": [{"name": name, "radius": 0.5} for name in "ab"],
+        "particles": [{"species": species, "position": [begin, 6.0], "velocity": [speed, 0.0]}],
+        "dynamics": {"kind": "forced", "time_step": 0.01},
+    }
+    simulation = Simulation(parse(data))
+    simulation.advance(until=4.0)
+    assert bool((simulation.state.position[0, 0] - 8.0) * (begin - 8.0) < 0.0) is is_let
+    assert simulation.dynamics.tallies.wall_passed[4].sum() == is_let
 
 
 @pytest.mark.parametrize("engine", ENGINES)

@@ -46,3 +46,39 @@ def test_remembered_walls_have_their_shape():
     snapshot["snapshot"]["memory"]["walls"].pop()
     with pytest.raises(ScenarioError, match=r"snapshot\.memory\.walls"):
         parse(snapshot)
+
+
+def test_between_all_dynamics_and_back():
+    """A swinging side and a membrane for the second species."""
+    step = {"dynamics.time_step": "0.005"}
+    kinds = [
+        ("event-driven", {}),
+        ("forced", step),
+        ("stepped", step),
+        ("forced", step),
+        ("event-driven", {}),
+    ]
+    simulation = gasbox.Simulation(
+        parse(
+            {
+                "container": {"width": 40, "height": 20},
+                "walls": {"right": {"motion": {"kind": "sinusoid", "amplitude": 1, "period": 7}}},
+                "obstacles": [
+                    {"shape": "segment", "start": [20, 0], "end": [20, 20], "passes": {"species": ["b"]}}
+                ],
+                "species": [
+                    {"name": name, "radius": 0.4, "count": 30, "temperature": 1} for name in ("a", "b")
+                ],
+                "dynamics": {"kind": "event-driven"},
+            }
+        )
+    )
+    for time, (kind, settings) in enumerate(kinds, 1):
+        simulation.advance(until=float(time))
+        expected = np.sin(2 * np.pi * time / 7)
+        assert simulation.state.wall_displacement[1] == pytest.approx(expected, abs=1e-9)
+        simulation = gasbox.Simulation(
+            with_settings(simulation.snapshot(), {"dynamics.kind": kind, **settings})
+        )
+        assert simulation.state.wall_displacement[1] == pytest.approx(expected, abs=1e-9)
+    assert simulation.dynamics.tallies.wall_passed[4, 1].sum() > 0

@@ -15,8 +15,9 @@ from gasbox.state import SetParticles, SetWorld
 IDLE = ("human", "human")
 
 
-def game(world=None, particles=None, **options):
+def game(world=None, particles=None, walls=None, **options):
     data = pong_table(**{"players": IDLE, **options})
+    data["walls"] = data["walls"] if walls is None else walls
     data["world"] |= world or {}
     if particles is not None:
         data["particles"] = particles
@@ -94,9 +95,9 @@ def test_no_ball_is_too_fast_for_bats_that_close_the_goals():
 
 
 def test_a_goal_counts_at_any_speed():
-    """The ball goes through the line, off the end of the table and back again within one frame."""
-    simulation = game(variant="vacuum")
-    play(simulation, [80.0, 90.0], [-1e5, 0.0])
+    """The ball goes through the line, off the end of the table and back again before the game is asked."""
+    simulation = game(variant="vacuum", walls={})
+    play(simulation, [80.0, 90.0], [-120 * 127.0, 0.0])
     simulation.advance(frames=1)
     view = simulation.world.view()
     assert (view["score"], view["phase"]) == ([0, 1], "serve")
@@ -229,12 +230,12 @@ def test_a_ball_is_put_where_there_is_room():
     simulation = game(variant="attractive", gas=400, seed=3)
     for place in (151.0, 9.0, 151.0, 9.0):
         play(simulation, [place, 95.0], [20.0 * (place - 80.0), 0.0])
-        simulation.advance(frames=2)
-        assert simulation.world.view()["phase"] == "serve"
+        while simulation.world.view()["phase"] == "play":
+            simulation.advance(frames=1)
         at = ball(simulation)[0]
         others = simulation.state.radius < 3
         gaps = np.hypot(*(simulation.state.position[others] - at).T)
-        assert gaps.min() > 3.0
+        assert gaps.min() > 3.8 * (1 - 1e-9)
         assert np.hypot(*(at - [80, 50])) < 22
     assert np.hypot(*simulation.state.velocity.T).max() < 1500
     assert simulation.world.view()["score"] == [2, 2]

@@ -7,6 +7,7 @@ from functools import partial
 from typing import NamedTuple
 
 from gasbox.bench.contest import OURS, Contender, Result, contest
+from gasbox.bench.crowds import crowd_peers
 from gasbox.bench.fluids import fluid_peers
 from gasbox.bench.gases import (
     EventDrivenGas,
@@ -18,7 +19,7 @@ from gasbox.bench.gases import (
 )
 from gasbox.bench.observed import observed_gases
 from gasbox.bench.peers import pymunk_gas, stepped_peers
-from gasbox.bench.scenarios import ENCLOSURES, dumbbells, enclosed, exact_gas, mixture, stepped_gas
+from gasbox.bench.scenarios import ENCLOSURES, crowd, dumbbells, enclosed, exact_gas, mixture, stepped_gas
 from gasbox.dynamics.team import processors
 from gasbox.scenario import EventDriven, Scenario
 
@@ -99,6 +100,7 @@ def _samples(sample: int) -> list[_Task]:
         _Task("stepped, enclosed", "particle steps", sample, partial(_enclosed, stepped)),
         _Task("dumbbells, stepped", "particle steps", sample, partial(_hard_dumbbells, sample)),
         _Task("dumbbells, forced", "particle steps", sample, partial(_soft_dumbbells, sample)),
+        _Task("epidemic", "person steps", sample, partial(_epidemic, sample)),
         _Task("event-driven, observed", "collisions", sample, partial(_observed, exact)),
         _Task("stepped, observed", "particle steps", sample, partial(_observed, stepped)),
     ]
@@ -130,6 +132,11 @@ def _hard_dumbbells(molecules: int) -> list[Contender]:
 
 def _soft_dumbbells(molecules: int) -> list[Contender]:
     return [ForcedGas(dumbbells(molecules, "forced"))]
+
+
+def _epidemic(people: int) -> list[Contender]:
+    scenario = crowd(people)
+    return [SteppedGas(scenario), *crowd_peers(scenario)]
 
 
 def _mixtures(small: int) -> list[Contender]:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.bench.contest import Contender
+from gasbox.bench.crowds import missing_crowd_peers
 from gasbox.bench.fluids import missing_fluid_peers
 from gasbox.initial import populate
 from gasbox.scenario import Scenario
@@ -41,7 +42,8 @@ def pymunk_gas(scenario: Scenario) -> list[Contender]:
 
 def missing_peers() -> list[str]:
     """Names of the packages that are not installed (or do not start), of those that peers of any kind need."""
-    return [package for package in PEERS if not _is_installed(package)] + missing_fluid_peers()
+    stepped = [package for package in PEERS if not _is_installed(package)]
+    return stepped + missing_fluid_peers() + missing_crowd_peers()
 
 
 def _is_installed(package: str) -> bool:

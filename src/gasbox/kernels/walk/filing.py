@@ -42,5 +42,6 @@ def file_people(position: NDArray[np.float64], who: NDArray[np.int64], files: Fi
         begin[c] += begin[c - 1]
     # Now begin[c + 1] is where cell c begins; while they are filed it moves on to its end.
     for k in range(who.shape[0]):
-        row[begin[at[k] + 1]] = who[k]
+        i, place = who[k], begin[at[k] + 1]
+        row[place], files.x[place], files.y[place] = i, position[i, 0], position[i, 1]
         begin[at[k] + 1] += 1

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 
-from gasbox.jit import bare_kernel
+from gasbox.jit import bare_kernel, inlined_kernel
 from gasbox.kernels.grid import span
-from gasbox.kernels.walk.filing import cell_at, shortest
+from gasbox.kernels.walk.filing import shortest
 from gasbox.kernels.walk.tables import Files, Ground, Walkers
 
 __all__ = ["keep_apart"]
+
+_TINY = 1e-300
 
 
 @bare_kernel
@@ -20,26 +22,52 @@ def keep_apart(people: Walkers, ground: Ground, files: Files, reach: float) -> N
     """
     columns, rows = files.cells[0], files.cells[1]
     across, along = ground.period_x < math.inf, ground.period_y < math.inf
-    for i in range(people.id.shape[0]):
-        people.push[i, 0], people.push[i, 1] = 0.0, 0.0
-        if people.distancing[i] == 0.0 or people.going[i] == 1:
-            continue
-        x, y = people.position[i, 0], people.position[i, 1]
-        c = cell_at(x, y, files, ground)
-        column, line = c % columns, c // columns
+    people.push[:] = 0.0
+    for entry in range(people.id.shape[0]):
+        files.mark[entry] = people.place[files.row[entry]]
+    for line in range(rows):
         low, high = span(line, rows, along)
-        left, right = span(column, columns, across)
-        for up in range(low, high + 1):
-            for beside in range(left, right + 1):
-                c = (line + up) % rows * columns + (column + beside) % columns
-                for entry in range(files.begin[c], files.begin[c + 1]):
-                    j = files.row[entry]
-                    dx = shortest(x - people.position[j, 0], ground.period_x)
-                    dy = shortest(y - people.position[j, 1], ground.period_y)
-                    d2 = dx * dx + dy * dy
-                    if d2 >= reach * reach or d2 == 0.0 or people.place[j] != people.place[i]:
+        for column in range(columns):
+            left, right = span(column, columns, across)
+            c = line * columns + column
+            # Cells side by side are filed one after the other: they are gone through in one go.
+            whole = column + left >= 0 and column + right < columns
+            for entry in range(files.begin[c], files.begin[c + 1]):
+                i = files.row[entry]
+                if people.distancing[i] == 0.0 or people.going[i] == 1:
+                    continue
+                for up in range(low, high + 1):
+                    base = (line + up) % rows * columns
+                    if whole:
+                        first, last = base + column + left, base + column + right
+                        _turn_away(
+                            people, ground, files, reach, entry, files.begin[first], files.begin[last + 1]
+                        )
                         continue
-                    d = math.sqrt(d2)
-                    share = (1.0 / d - 1.0 / reach) if d > 0.0 else 0.0
-                    people.push[i, 0] += share * dx
-                    people.push[i, 1] += share * dy
+                    for beside in range(left, right + 1):
+                        first = base + (column + beside) % columns
+                        _turn_away(
+                            people, ground, files, reach, entry, files.begin[first], files.begin[first + 1]
+                        )
+
+
+@inlined_kernel
+def _turn_away(
+    people: Walkers, ground: Ground, files: Files, reach: float, entry: int, first: int, last: int
+) -> None:
+    """Add what those push who are filed from `first` to before `last`."""
+    x, y, here = files.x[entry], files.y[entry], files.mark[entry]
+    push_x, push_y = 0.0, 0.0
+    for other in range(first, last):
+        dx = shortest(x - files.x[other], ground.period_x)
+        dy = shortest(y - files.y[other], ground.period_y)
+        d2 = dx * dx + dy * dy
+        # Without a branch: nobody could foretell which of them are near.
+        near = (d2 < reach * reach) & (d2 > 0.0) & (files.mark[other] == here)
+        share = 1.0 / math.sqrt(max(d2, _TINY)) - 1.0 / reach
+        share = share if near else 0.0
+        push_x += share * dx
+        push_y += share * dy
+    i = files.row[entry]
+    people.push[i, 0] += push_x
+    people.push[i, 1] += push_y

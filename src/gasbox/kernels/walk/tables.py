@@ -89,12 +89,17 @@ class Files(NamedTuple):
     begin : (cells + 2,) int64, where each cell begins in `row`, once they are filed
     row : (n,) int64, rows of people by cell, in ascending order within one
     at : (n,) int64, cell of each
+    x, y : (n,) float64 [length], their positions by cell, side by side in memory
+    mark : (n,) int64, room for something of each, likewise
     """
 
     cells: NDArray[np.int64]
     begin: NDArray[np.int64]
     row: NDArray[np.int64]
     at: NDArray[np.int64]
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    mark: NDArray[np.int64]
 
 
 def ground(places: NDArray[np.float64], size: NDArray[np.float64], periodic: NDArray[np.bool_]) -> Ground:
@@ -112,5 +117,8 @@ def files(size: NDArray[np.float64], reach: float, people: int) -> Files:
         np.array([columns, rows], np.int64),
         np.zeros(columns * rows + 2, np.int64),
         np.zeros(people, np.int64),
+        np.zeros(people, np.int64),
+        np.zeros(people),
+        np.zeros(people),
         np.zeros(people, np.int64),
     )

@@ -39,7 +39,7 @@ GROUPS: Final[tuple[Group, ...]] = (
         "",
         {
             "probability_per_day": ("infection rate", 1.0),
-            "probability": ("infection by a contact", None),
+            "probability": ("infection at contact", None),
             "radius": ("infection radius", 0.0),
             "exposed_days": ("exposed for", 14.0),
             "infectious_days": ("infectious for", 20.0),

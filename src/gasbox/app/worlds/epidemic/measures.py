@@ -100,7 +100,9 @@ class Measures:
         self._tabs: list[tuple[Group, ui.tab]] = []
         self._active: dict[str, bool] = {}
         first = groups[0][0].title
-        with ui.tabs().props('dense inline-label no-caps align=left aria-label="Measures"') as tabs:
+        with ui.tabs().props(
+            'dense inline-label no-caps outside-arrows mobile-arrows align=left aria-label="Measures"'
+        ) as tabs:
             tabs.classes("measure-tabs")
             for group, _ in groups:
                 tab = ui.tab(group.title).mark(f"tab-{group.title}")
@@ -118,7 +120,9 @@ class Measures:
             if name in settings:
                 control.show(settings[name])
         for group, tab in self._tabs:
-            acting = bool(active.get(group.measure)) and settings.get(group.strength, 1.0) > 0.0
+            acting = bool(active.get(group.measure)) and (
+                not group.strength or settings.get(group.strength, 0.0) > 0.0
+            )
             if acting != self._active.get(group.title, False):
                 self._active[group.title] = acting
                 tab.props(add="alert" if acting else None, remove=None if acting else "alert")

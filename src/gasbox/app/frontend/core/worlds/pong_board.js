@@ -42,7 +42,7 @@ export function drawBoard(context, { table, view, theme }, state) {
   if (state.moved || state.view.phase === "over") return;
   for (const [side, text] of Object.entries(hints(state))) {
     const [x, y] = view.toCanvas(width * (side === "left" ? 0.27 : 0.73), 0.55 * height);
-    lines(pen, text, x, y, 0.05);
+    lines(pen, text, x, y, 0.05, state.view.phase !== "play");
   }
 }
 
@@ -73,13 +73,13 @@ function net(context, { width, height }, view, theme) {
   context.setLineDash([]);
 }
 
-// Two lines on a plate, so that they can be read over a gas.
-function lines(pen, [large, small], x, y, share) {
+// Two lines, on a plate so that they can be read over a gas; but no plate may hide the ball in play.
+function lines(pen, [large, small], x, y, share, plated = true) {
   const size = pen.size(share);
   const less = Math.max(0.62 * size, 10 * pen.view.ratio);
   const gap = small ? 1.15 * size : 0;
   const wide = Math.max(pen.width(large, size, 650), small ? pen.width(small, less, 500) : 0);
-  pen.plate(x, y + 0.45 * gap, wide + 1.4 * size, gap + 1.7 * size);
+  if (plated) pen.plate(x, y + 0.45 * gap, wide + 1.4 * size, gap + 1.7 * size);
   pen.write(large, x, y, size, 650, 1);
   if (small) pen.write(small, x, y + gap, less, 500, 0.85);
 }
