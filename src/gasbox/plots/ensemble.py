@@ -190,7 +190,7 @@ def _edges(values: NDArray[np.float64]) -> NDArray[np.float64]:
         return np.linspace(low, high, _bins(values) + 1)
     steps = round((high - low) / step) + 1
     each = math.ceil(steps / _bins(values))
-    return low + (np.arange(0, steps + each, each) - 0.5) * step
+    return np.asarray(low + (np.arange(0, steps + each, each) - 0.5) * step, np.float64)
 
 
 def _step(values: NDArray[np.float64]) -> float | None:
