@@ -74,6 +74,24 @@ def test_growth_of_a_mixed_crowd():
     assert np.mean(rates) == pytest.approx(1.85, abs=4 * np.std(rates, ddof=1) / np.sqrt(5) + 0.05)
 
 
+def test_reproduction_is_estimated_while_it_goes_on():
+    """Both estimates are R0 times the part that can still be infected."""
+    people, ill, runs = 2000, 100, 6
+    live, cohort = [], []
+    for seed in range(runs):
+        simulation = Simulation(mixed(2.5, "fixed", people, seed, ill, 0.05))
+        simulation.advance(until=0.75)
+        live.append(simulation.world.view()["r"])
+        # By now the infectious time of the seeds is over, and nobody else's.
+        simulation.advance(until=1.0)
+        cohort.append(simulation.world.view()["r_cohort"])
+    curve = epidemic_curve(2.5, 1.0, 1.0, seeds=ill / people, law="fixed")
+    early = curve.susceptible[curve.time <= 0.75].mean()
+    # Poisson numbers: variance R0 for each of the seeds, more for those who have just begun.
+    assert np.mean(cohort) == pytest.approx(2.5 * curve.susceptible.mean(), abs=4 * (2.5 / ill / runs) ** 0.5)
+    assert np.mean(live) == pytest.approx(2.5 * early, abs=4 * (2.5 / 0.3 / ill / runs) ** 0.5)
+
+
 def test_who_does_not_mix_infects_fewer():
     fast, crawling = (
         np.mean([attack_rate(slow(300, seed, speed, 0.08)) for seed in range(6)]) for speed in (20.0, 0.02)

@@ -112,6 +112,8 @@ class Walk:
         else:
             self._step = int(memory[f"{_PREFIX}step"])
             self._kept = _recalled(memory)
+            # Where the container has changed since, there may be fewer places.
+            self._kept["place"] = np.clip(self._kept["place"], 0, settings.places.shape[0] - 1)
         self._take(state)
 
     def _begin(self, state: State, seed: int) -> dict[str, NDArray[Any]]:
