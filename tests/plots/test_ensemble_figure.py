@@ -36,6 +36,19 @@ def test_a_pile_holds_all_runs_that_have_a_value():
     assert np.all(np.diff(edges) == 1.0)
 
 
+def test_values_that_come_in_steps_make_no_comb():
+    rng = np.random.default_rng(2)
+    for step, jitter in ((1.0, 0.0), (0.75, 0.01), (1 / 995, 0.0)):
+        values = step * (200 + rng.binomial(120, 0.5, 1000)) + rng.choice([0.0, jitter], 1000)
+        counts, edges, _ = ensemble_figure(TIME, [], [Pile("a", "", values)]).axes[0].patches[0].get_data()
+        assert counts.sum() == 1000
+        held = np.diff(edges) / step
+        np.testing.assert_allclose(held, np.round(held), atol=0.01)
+    smooth = rng.normal(size=1000)
+    _, edges, _ = ensemble_figure(TIME, [], [Pile("a", "", smooth)]).axes[0].patches[0].get_data()
+    assert edges.size == 41
+
+
 def test_marks_have_names_and_the_legend_covers_no_bar():
     pile = Pile("size", "", np.linspace(0.7, 0.9, 50), [Mark("theory", 0.8, 0.02), Mark("mean", 0.81)])
     axes = ensemble_figure(TIME, [], [pile]).axes[0]

@@ -178,17 +178,30 @@ def _mean(values: NDArray[np.float64]) -> str:
 
 
 def _edges(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Bins that show the shape; of whole numbers each holds equally many of them."""
+    """Bins that show the shape; of values that come in steps, as whole numbers do, each holds equally many of them."""
     if not values.size:
         return np.array([0.0, 1.0])
     low, high = float(values.min()), float(values.max())
-    if np.array_equal(values, np.round(values)) and high < 2.0**53:
-        width = max(1, math.ceil((high - low + 1) / _bins(values)))
-        return np.arange(low, high + width + 1, width) - 0.5
     if high - low <= 1e-9 * max(abs(low), abs(high)):
         half = 0.01 * abs(high) or 0.5
         return np.array([low - half, high + half])
-    return np.linspace(low, high, _bins(values) + 1)
+    step = _step(values)
+    if step is None:
+        return np.linspace(low, high, _bins(values) + 1)
+    steps = round((high - low) / step) + 1
+    each = math.ceil(steps / _bins(values))
+    return np.asarray(low + (np.arange(0, steps + each, each) - 0.5) * step, np.float64)
+
+
+def _step(values: NDArray[np.float64]) -> float | None:
+    """The even step in which all values come, up to rounding; None if they come in none, or in a very small one."""
+    different = np.unique(values)
+    gaps = np.diff(different)
+    span = float(different[-1] - different[0])
+    gaps = gaps[gaps > 1e-3 * span]
+    step = span / float(np.sum(np.round(gaps / gaps.min()))) if gaps.size else span
+    places = (different - different[0]) / step
+    return step if np.all(np.abs(places - np.round(places)) < 0.1) else None
 
 
 def _bins(values: NDArray[np.float64]) -> int:
