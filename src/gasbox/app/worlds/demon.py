@@ -27,6 +27,8 @@ _RULES: Final = {
 _TO: Final = {"left": "to the left", "right": "to the right", "below": "down", "above": "up"}
 _ENDS: Final = (0.2, 2.5)
 """Of the slider, in units of the threshold at the start."""
+_REST: Final = 5
+"""Samples after a choice in which no control is set from outside."""
 
 
 def meaning(view: dict[str, Any]) -> str:
@@ -53,6 +55,7 @@ class DemonPanel:
         self._send = send
         self._kinds = [kind.name for kind in session.scenario.kinds]
         self._showing = False
+        self._rest = 0
         self._version = -1
         self._usual: float | None = None
         with ui.element("div").classes("demon"):
@@ -115,12 +118,15 @@ class DemonPanel:
             low, high = (end * self._usual for end in _ENDS)
             self._slider.props(f"min={low:.4g} max={high:.4g} step={self._usual / 50:.3g}")
         self._reversed = bool(view["reversed"])
-        for control, value in (
+        values = (
             (self._rule, view["rule"]),
             (self._slider, round(float(view["threshold"]), 6)),
             (self._species, view["species"]),
-        ):
-            if control.value != value:
+        )
+        # What a hand has just set is not put back by a sample from before.
+        self._rest = max(self._rest - 1, 0)
+        for control, value in values:
+            if not self._rest and control.value != value:
                 control.set_value(value)
         self._reading.set_text(number(float(view["threshold"])))
         self._says.set_text(meaning(view))
@@ -130,6 +136,7 @@ class DemonPanel:
 
     def _chosen(self, name: str, event: ValueChangeEventArguments[Any]) -> None:
         if not self._showing and event.value is not None:
+            self._rest = _REST
             self._send(SetWorld(name, event.value))
 
     def _turn(self) -> None:
