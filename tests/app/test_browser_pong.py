@@ -65,6 +65,8 @@ def test_a_game(open_page: Opened) -> None:
     page.context.add_init_script(LISTEN)
     page.reload()
     laid(page, gas=40, players=("human", "easy"), points=21)
+    page.wait_for_function("gasboxStats.playing === false")  # it waits for its player
+    page.keyboard.press(" ")
     page.wait_for_function("heard.frames.length > 30")
     names = [one["name"] for one in parse(pong_table()).to_dict()["obstacles"]]
     wall = 4 + names.index("bat-left")

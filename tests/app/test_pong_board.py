@@ -78,6 +78,7 @@ def test_who_plays_alone_sees_bricks_and_balls(page: Page) -> None:
         ({"touch": True}, {"phase": "serve"}, ["Get ready", "Tap to serve"]),
         ({"humans": []}, {"phase": "serve"}, ["Get ready"]),
         ({"paused": True}, {}, ["Paused", "P or Space goes on"]),
+        ({"paused": True}, {"score": [0, 0], "last": None}, ["Ready?", "Space starts"]),
         ({}, {"phase": "over", "winner": "left"}, ["You win", "Space or Enter: new game"]),
         ({}, {"phase": "over", "winner": "right"}, ["The computer wins", "Space or Enter: new game"]),
         (

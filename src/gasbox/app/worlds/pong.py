@@ -20,6 +20,8 @@ __all__ = ["PongPanel"]
 
 _PLAYERS: Final = {"human": "You", "easy": "Easy", "medium": "Medium", "hard": "Hard"}
 _LENGTHS: Final = (1, 3, 5, 7, 11, 15, 21)
+_BEGINNING: Final = 120
+"""Frames within which a game has only begun."""
 _SPREAD: Final = 2.5
 """The sliders of speeds go so many times below and above what the scenario says."""
 
@@ -32,7 +34,8 @@ class PongPanel:
     def __init__(self, session: Session, send: Send, charts: ui.element) -> None:
         world = session.scenario.world
         assert isinstance(world, Pong)
-        self._send = send
+        self._send, self._session = send, session
+        self._waits = session.playing
         start = {name: getattr(world, name) for name in ("points", "ball_speed", "paddle_speed")}
         self._values = LiveValues({**start, "left": world.players.left, "right": world.players.right})
         self._shown: dict[str, Any] = {}
@@ -105,6 +108,7 @@ class PongPanel:
 
     def show(self, sample: Sample) -> None:
         """Show the settings as they are now."""
+        self._wait_for_people(sample)
         self._showing = True
         for name, control in self._controls.items():
             value = self._values.of(name, sample)
@@ -120,6 +124,13 @@ class PongPanel:
         serving = sample.world.get("phase") == "serve"
         if self._serve.enabled != serving:
             self._serve.set_enabled(serving)
+
+    def _wait_for_people(self, sample: Sample) -> None:
+        """A game in which somebody plays begins when that somebody says so."""
+        if self._waits:
+            self._waits = False
+            if sample.frame < _BEGINNING and "human" in sample.world.get("players", {}).values():
+                self._session.pause()
 
     def _chosen(self, name: str, event: ValueChangeEventArguments[Any]) -> None:
         if self._showing or event.value is None:

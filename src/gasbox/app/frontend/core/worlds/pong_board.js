@@ -6,6 +6,7 @@ const FAMILY = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif';
 export function words({ view, time, paused, humans, touch }) {
   const again = touch ? "Tap for a new game" : "Space or Enter: new game";
   if (view.phase === "over") return [verdict(view, humans), humans.length ? again : "New game: the button below"];
+  if (paused && !view.last && !view.score.some(Boolean)) return ["Ready?", touch ? "Play starts" : "Space starts"];
   if (paused) return ["Paused", touch ? "" : "P or Space goes on"];
   if (view.phase !== "serve") return null;
   const wait = view.serve_at - time;
