@@ -94,5 +94,6 @@ def test_the_figure_shows_all_people_and_only_major_outbreaks() -> None:
     assert ill.get_ylabel() == "infected people"
     medians = [line.get_ydata() for line in people.lines if str(line.get_label()).endswith("median")]
     assert [line[0] for line in medians] == [59, 1, 0]
+    assert medians[2][-1] > 6
     sizes = piles[0].patches[0].get_data().values
     assert sizes.sum() == major.sum()

@@ -103,7 +103,9 @@ def epidemic_figure(plan: Plan, outcome: Outcome) -> Figure:
         Fan("recovered or dead", color.get("recovered", "#7f8c8d"), _sum(found, _OVER)),
     ]
     shown = _until_over(found)
-    fans = [Fan(fan.name, fan.color, fan.values[:, shown]) for fan in fans]
+    # Of outbreaks that are small one half of the time, a median over all would show nothing.
+    rows = major if np.any(major) else ~major
+    fans = [Fan(fan.name, fan.color, fan.values[rows, shown]) for fan in fans]
     return ensemble_figure(
         found.times[shown] / world.day,
         [("people", fans), ("infected people", [fans[1]])],
@@ -125,7 +127,7 @@ def _extinct(major: NDArray[np.bool_], law: WellMixed | None) -> str:
     share = f"{100 * small / major.size:.3g} %"
     if law is not None and math.isfinite(law.extinction):
         share += f"; well mixed {100 * law.extinction:.3g} %"
-    return f"{small} of {major.size} outbreaks stayed small ({share}); histograms show the others"
+    return f"{small} of {major.size} outbreaks stayed small ({share}); the others are shown"
 
 
 def _sum(found: Gathered, names: tuple[str, ...]) -> NDArray[np.float64]:
