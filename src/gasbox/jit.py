@@ -151,7 +151,9 @@ def is_compiling() -> bool:
 
 
 def _mark() -> Path:
-    return cache_folder() / "compiled"
+    # numba keeps the code of each place where the sources stand apart.
+    place = hashlib.sha256(str(_KERNEL_FOLDER).encode()).hexdigest()[:8]
+    return cache_folder() / f"compiled-{place}"
 
 
 def was_compiled() -> bool:

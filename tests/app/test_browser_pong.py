@@ -68,6 +68,7 @@ def test_a_game(open_page: Opened) -> None:
     page.wait_for_function("gasboxStats.playing === false")  # it waits for its player
     page.keyboard.press(" ")
     page.wait_for_function("heard.frames.length > 30")
+    page.evaluate("heard.pressed.length = 0")
     names = [one["name"] for one in parse(pong_table()).to_dict()["obstacles"]]
     wall = 4 + names.index("bat-left")
     for press in range(5):
