@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gasbox.errors import UsageError
+from gasbox.errors import ScenarioError, UsageError
 from gasbox.recording import Recorder, open_recording
 from gasbox.scenario import ScheduledChange, parse
 from gasbox.simulation import Simulation, run
@@ -187,3 +187,17 @@ def test_a_recorded_frame_goes_on_with_the_same_bits(kind, tmp_path):
         middle = Simulation(recording.scenario_at(13), world=world(kind))
     middle.advance(until=12.0)
     assert bits(middle) == bits(simulation)
+
+
+@pytest.mark.parametrize(
+    "broken",
+    [{"world_hits": 3}, {"world_turns": None}, {"replies": [[1, 99, 0, 0, 1, 0]]}, {"replies": [[1, 2, 3]]}],
+)
+def test_a_memory_that_makes_no_sense_is_refused_with_a_sentence(broken):
+    simulation = Simulation(scenario("event-driven"), world=Conversion())
+    simulation.advance(until=3.0)
+    data = simulation.snapshot().to_dict()
+    memory = {**data["snapshot"]["memory"], **broken}
+    data["snapshot"]["memory"] = {name: value for name, value in memory.items() if value is not None}
+    with pytest.raises(ScenarioError, match=r"snapshot\.memory"):
+        Simulation.restore(parse(data), world=Conversion())

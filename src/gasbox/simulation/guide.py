@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.dynamics import Forced, make_room
-from gasbox.errors import UsageError
+from gasbox.errors import Problem, ScenarioError, UsageError
 from gasbox.initial import separate, worst_overlap
 from gasbox.protocols import Led, World
 from gasbox.scenario import EventDriven
@@ -63,7 +63,7 @@ class Guide:
         }
         if mine:
             self._replies = Replies.recalled(remembered, simulation.geometry.wall_names)
-            world.recall(mine)
+            _recall(world, mine)
         else:
             self._follow(world.start(simulation.state, simulation.geometry))
 
@@ -156,3 +156,20 @@ class Guide:
         if crowded.size and isinstance(simulation.dynamics, Forced):
             moved = np.isin(state.id, crowded)
             make_room(simulation.dynamics, state, here, moved, simulation.scenario.seed)
+
+
+def _recall(world: World, memory: Memory) -> None:
+    """Let a world go on from what a file says that it remembers.
+
+    Raises
+    ------
+    ScenarioError
+        It makes no sense to this world.
+    """
+    try:
+        world.recall(memory)
+    except (LookupError, TypeError, ValueError) as error:
+        found = f"what this world can't go on from ({type(error).__name__}: {error})"
+        raise ScenarioError(
+            [Problem("snapshot.memory", found, "what a world of this kind has saved")]
+        ) from None

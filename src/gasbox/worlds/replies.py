@@ -10,6 +10,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from gasbox.errors import Problem, ScenarioError
 from gasbox.state import Memory, MoveWall, SetGate, SetGravity, SetWall, Surrounding, Way
 
 __all__ = ["GATES", "REPLIES", "Replies"]
@@ -99,7 +100,21 @@ class Replies:
 
     @classmethod
     def recalled(cls, memory: dict[str, Any], names: Sequence[str]) -> Replies:
-        """From what `memory` gave, and the names of all walls."""
+        """From what `memory` gave, and the names of all walls.
+
+        Raises
+        ------
+        ScenarioError
+            It is not what `memory` gives, for so many walls.
+        """
+        try:
+            return cls._recalled(memory, names)
+        except (LookupError, ValueError, OverflowError):
+            allowed = "what a world has made of gravity and walls, as a snapshot saves it"
+            raise ScenarioError([Problem(f"snapshot.memory.{REPLIES}", "something else", allowed)]) from None
+
+    @classmethod
+    def _recalled(cls, memory: dict[str, Any], names: Sequence[str]) -> Replies:
         rows = np.asarray(memory.get(REPLIES, ()), np.float64).reshape(-1, 6)
         latest = {(int(row[0]), int(row[1])): tuple(row[2:].tolist()) for row in rows}
         rows = np.asarray(memory.get(GATES, ()), np.float64).reshape(-1, 6)
@@ -111,6 +126,9 @@ class Replies:
             for number in dict.fromkeys(rows[:, 0].astype(int).tolist())
             for mine in [rows[rows[:, 0] == number]]
         }
+        found = [*latest, *((_GRAVITY, number) for number in gates)]
+        if not all(_GRAVITY <= kind <= _FREE and 0 <= number < len(names) for kind, number in found):
+            raise IndexError("a wall that is not there")
         return cls(latest, names, gates)
 
 
