@@ -45,7 +45,7 @@ def compile_kernels(progress: Callable[[int, int, str], None] | None = None) -> 
         compile_parts(progress)
     finally:
         helper.kill()
-        helper.wait()
+        helper.communicate()
 
 
 def help_to_compile() -> None:

@@ -11,11 +11,12 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Generator, Iterable
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
 from multiprocessing import connection
 from multiprocessing.synchronize import Event
+from queue import SimpleQueue
 from typing import Any, TypeVar
 
 from gasbox.errors import DynamicsError
@@ -58,16 +59,19 @@ def done_together(
     context = multiprocessing.get_context("spawn")
     enough = context.Event()
     pool = ProcessPoolExecutor(workers, context, _begin, (enough, work))
-    rest, running = iter(tasks), set[Future[Any]]()
+    # A queue, since Ctrl-C while `concurrent.futures.wait` takes its locks would leave some of them locked.
+    rest, running, done = iter(tasks), 0, SimpleQueue[Future[Any]]()
     try:
         while True:
             # Twice as many as there are workers, so that nobody waits for the next task.
-            running |= {pool.submit(_do, task) for task in islice(rest, 2 * workers - len(running))}
+            for task in islice(rest, 2 * workers - running):
+                pool.submit(_do, task).add_done_callback(done.put)
+                running += 1
             if not running:
                 return
-            done, running = wait(running, return_when=FIRST_COMPLETED)
-            for future in done:
-                yield future.result()
+            future = done.get()
+            running -= 1
+            yield future.result()
     except BrokenProcessPool:
         raise DynamicsError(
             "one of the processes was ended from outside; perhaps there was not enough memory for so many workers"
