@@ -62,6 +62,8 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
     Exit status: 0 done; 2 bad usage, file or scenario; 1 anything else; 130 interrupted.
     """
     signal.signal(signal.SIGTERM, _interrupt)
+    # Also where a script has started it in the background, which makes it deaf to Ctrl-C.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         app(arguments, prog_name="gasbox")
     except GasboxError as error:
