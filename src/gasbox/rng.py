@@ -8,8 +8,9 @@ from __future__ import annotations
 from enum import IntEnum
 
 import numpy as np
+from numpy.typing import NDArray
 
-__all__ = ["Stream", "generator"]
+__all__ = ["Stream", "generator", "halves"]
 
 
 class Stream(IntEnum):
@@ -70,3 +71,8 @@ def generator(seed: int, stream: Stream, index: int = 0) -> np.random.Generator:
     """
     key = np.array([seed, (int(stream) << 32) | index], dtype=np.uint64)
     return np.random.Generator(np.random.Philox(key=key))
+
+
+def halves(seed: int) -> NDArray[np.int64]:
+    """(2,) int64: the lower and the upper 32 bits of the scenario's seed, as kernels take it for a key."""
+    return np.array([seed & 0xFFFFFFFF, seed >> 32], np.int64)

@@ -14,6 +14,7 @@ from gasbox.units import UNIT
 __all__ = [
     "FONT",
     "INK_TEXT",
+    "axis_tip",
     "bar_rows",
     "changes",
     "curve_rows",
@@ -96,19 +97,7 @@ def initial(name: str, color: str, quantity: str) -> dict[str, Any]:
             "axisLine": {"show": False},
             "axisLabel": {**INK_TEXT, ":formatter": _WHOLE},
         },
-        "tooltip": {
-            "trigger": "axis",
-            "confine": True,
-            "transitionDuration": 0,
-            "className": "chart-tip",
-            "axisPointer": {
-                "type": "line",
-                "snap": True,
-                "animation": False,
-                "lineStyle": {"color": "var(--muted)"},
-            },
-            ":formatter": _TOOLTIP.replace("QUANTITY", words(quantity)),
-        },
+        "tooltip": axis_tip(_TOOLTIP.replace("QUANTITY", words(quantity)), snap=True),
         "series": [_bars(color), _curve()],
     }
 
@@ -147,6 +136,23 @@ def axis_name(quantity: str) -> str:
 def words(quantity: str) -> str:
     """What a quantity is called."""
     return quantity.replace("-", " ")
+
+
+def axis_tip(formatter: str, **pointer: Any) -> dict[str, Any]:
+    """What is told of the place that is pointed at; `formatter` is JavaScript, `pointer` more of the line there."""
+    return {
+        "trigger": "axis",
+        "confine": True,
+        "transitionDuration": 0,
+        "className": "chart-tip",
+        "axisPointer": {
+            "type": "line",
+            "animation": False,
+            "lineStyle": {"color": "var(--muted)"},
+            **pointer,
+        },
+        ":formatter": formatter,
+    }
 
 
 def plain_axis(name: str, gap: int) -> dict[str, Any]:

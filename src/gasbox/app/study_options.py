@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from gasbox.app.chart_options import FONT, INK_TEXT, plain_axis
+from gasbox.app.chart_options import FONT, INK_TEXT, axis_tip, plain_axis
 from gasbox.app.study import PALETTE, Axis, Picture, Trace
 
 __all__ = ["filled", "layout"]
@@ -97,14 +97,7 @@ def layout(picture: Picture, description: str) -> dict[str, Any]:
             "pageIconColor": "var(--muted)",
             "pageIconInactiveColor": "var(--line-strong)",
         },
-        "tooltip": {
-            "trigger": "axis",
-            "confine": True,
-            "transitionDuration": 0,
-            "className": "chart-tip",
-            "axisPointer": {"type": "line", "animation": False, "lineStyle": {"color": "var(--muted)"}},
-            ":formatter": tip,
-        },
+        "tooltip": axis_tip(tip),
         "series": [],
     }
     if bars:

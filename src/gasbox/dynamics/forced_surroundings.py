@@ -16,6 +16,7 @@ from gasbox.geometry import Enclosure, Geometry, Piston
 from gasbox.geometry.conserved import conserved_momentum
 from gasbox.kernels import forced
 from gasbox.kernels.hall import Hall, hall
+from gasbox.rng import halves
 from gasbox.state import State
 
 __all__ = ["Surroundings", "surroundings"]
@@ -75,7 +76,7 @@ def surroundings(
     drifts = conserved_momentum(geometry)
     bath = forced.Bath(
         drive,
-        np.array([seed & 0xFFFFFFFF, seed >> 32], np.int64),
+        halves(seed),
         state.count,
         degrees_of_freedom(state, geometry),
         bool(drifts[0]),

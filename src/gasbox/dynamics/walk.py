@@ -14,7 +14,7 @@ from gasbox.errors import UsageError
 from gasbox.geometry import Geometry
 from gasbox.kernels import walk as kernels
 from gasbox.protocols import Status
-from gasbox.rng import Stream, generator
+from gasbox.rng import Stream, generator, halves
 from gasbox.scenario import Scenario, places_of
 from gasbox.scenario import Walk as WalkSection
 from gasbox.state import Contacts, Memory, SetWalkers, State, Tallies
@@ -103,7 +103,7 @@ class Walk:
             settings.reach,
             _swerve(settings.turning * settings.time_step),
             settings.time_step,
-            np.array([seed & 0xFFFFFFFF, seed >> 32], np.int64),
+            halves(seed),
         )
         self._step = round(state.time / settings.time_step)
         self._id = state.id

@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel
 from gasbox.kernels.forced.noise import gamma
-from gasbox.kernels.hall.random import philox, uniform
+from gasbox.kernels.hall.random import uniform
+from gasbox.kernels.walk.chance import words
 
 __all__ = ["EXPONENTIAL", "FIXED", "GAMMA", "draws", "durations", "pick"]
 
 FIXED, EXPONENTIAL, GAMMA = 0, 1, 2
-_WORD = 0xFFFFFFFF
 _SHARE = 1.0 / 4294967296.0
 
 
@@ -24,13 +24,11 @@ def draws(
 ) -> None:
     """Write four independent numbers in (0, 1) for each person into `out` (k, 4)."""
     for k in range(id.shape[0]):
-        words = philox(
-            id[k] & _WORD, id[k] >> 32, turn & _WORD, (turn >> 32) & _WORD, seed[0] ^ stream, seed[1]
-        )
-        out[k, 0] = (words[0] + 0.5) * _SHARE
-        out[k, 1] = (words[1] + 0.5) * _SHARE
-        out[k, 2] = (words[2] + 0.5) * _SHARE
-        out[k, 3] = (words[3] + 0.5) * _SHARE
+        drawn = words(id[k], turn, stream, seed)
+        out[k, 0] = (drawn[0] + 0.5) * _SHARE
+        out[k, 1] = (drawn[1] + 0.5) * _SHARE
+        out[k, 2] = (drawn[2] + 0.5) * _SHARE
+        out[k, 3] = (drawn[3] + 0.5) * _SHARE
 
 
 @bare_kernel
@@ -48,8 +46,8 @@ def durations(
         if law == FIXED:
             out[k] = mean
         elif law == EXPONENTIAL:
-            words = philox(id[k] & _WORD, id[k] >> 32, 0, 0, seed[0] ^ stream, seed[1])
-            out[k] = -mean * math.log(uniform(words[0], words[1]))
+            drawn = words(id[k], 0, stream, seed)
+            out[k] = -mean * math.log(uniform(drawn[0], drawn[1]))
         else:
             out[k] = mean / shape * gamma(seed, stream, shape, id[k])
 
@@ -76,9 +74,7 @@ def pick(
             continue
         if id[i] >> 2 != group:
             group = id[i] >> 2
-            w0, w1, w2, w3 = philox(
-                group & _WORD, group >> 32, turn & _WORD, (turn >> 32) & _WORD, seed[0] ^ stream, seed[1]
-            )
+            w0, w1, w2, w3 = words(group, turn, stream, seed)
         last = id[i] & 3
         word = w0 if last == 0 else w1 if last == 1 else w2 if last == 2 else w3
         if word < least:

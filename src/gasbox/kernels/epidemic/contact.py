@@ -6,13 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel
+from gasbox.kernels.epidemic.stages import ASYMPTOMATIC, INFECTIOUS, SUSCEPTIBLE
 from gasbox.kernels.hall.random import philox, time_words, uniform
+from gasbox.rng import Stream
 
 __all__ = ["contacts"]
 
-_STREAM = 22
+_STREAM = int(Stream.CONTACT)
 _WORD = 0xFFFFFFFF
-_INFECTIOUS, _ASYMPTOMATIC = 2, 3
 
 
 @bare_kernel
@@ -48,13 +49,13 @@ def contacts(
         for turn in range(2):
             i = first[k] if turn == 0 else second[k]
             j = second[k] if turn == 0 else first[k]
-            if stage[i] != 0 or hit[i] or (stage[j] != _INFECTIOUS and stage[j] != _ASYMPTOMATIC):
+            if stage[i] != SUSCEPTIBLE or hit[i] or (stage[j] != INFECTIOUS and stage[j] != ASYMPTOMATIC):
                 continue
             if time[k] > until[j]:
                 continue
             low, high = time_words(time[k])
             words = philox(i & _WORD, j & _WORD, low, high, seed[0] ^ _STREAM, seed[1])
-            if uniform(words[0], words[1]) < probability * (weaker if stage[j] == _ASYMPTOMATIC else 1.0):
+            if uniform(words[0], words[1]) < probability * (weaker if stage[j] == ASYMPTOMATIC else 1.0):
                 hit[i] = True
                 row[count], by[count], when[count] = i, j, time[k]
                 count += 1

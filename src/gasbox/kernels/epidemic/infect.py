@@ -9,15 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
+from gasbox.kernels.epidemic.stages import SUSCEPTIBLE
 from gasbox.kernels.grid import span
-from gasbox.kernels.hall.random import philox, uniform
+from gasbox.kernels.hall.random import uniform
+from gasbox.kernels.walk.chance import words
 from gasbox.kernels.walk.filing import cell_at, file_people, shortest
 from gasbox.kernels.walk.tables import Files, Ground
+from gasbox.rng import Stream
 
 __all__ = ["Crowd", "Found", "infect"]
 
-_STREAM = 21
-_WORD = 0xFFFFFFFF
+_STREAM = int(Stream.INFECTION)
 
 
 class Crowd(NamedTuple):
@@ -27,7 +29,7 @@ class Crowd(NamedTuple):
     ----------
     id : (n,) int64
     position : (n, 2) float64 [length]
-    stage : (n,) int8, 0 susceptible
+    stage : (n,) int8, as in `stages`
     zone : (n,) int64, only those of one zone infect each other; below 0, nobody
     burden : (n,) float64 [time], of those who infect: for how long since the last look
     """
@@ -77,7 +79,7 @@ def infect(
     _mark(files, who.shape[0], near, ground)
     count = 0
     for i in range(crowd.id.shape[0]):
-        if crowd.stage[i] != 0:
+        if crowd.stage[i] != SUSCEPTIBLE:
             continue
         c = cell_at(crowd.position[i, 0], crowd.position[i, 1], files, ground)
         if near[c] == 0 or crowd.zone[i] < 0:
@@ -85,18 +87,11 @@ def infect(
         burden, _ = _around(crowd, i, c, files, ground, radius, math.inf)
         if burden == 0.0:
             continue
-        words = philox(
-            crowd.id[i] & _WORD,
-            crowd.id[i] >> 32,
-            turn & _WORD,
-            (turn >> 32) & _WORD,
-            seed[0] ^ _STREAM,
-            seed[1],
-        )
-        waiting = -math.log(uniform(words[0], words[1]))
+        drawn = words(crowd.id[i], turn, _STREAM, seed)
+        waiting = -math.log(uniform(drawn[0], drawn[1]))
         if waiting >= rate * burden:
             continue
-        share = burden * uniform(words[2], words[3])
+        share = burden * uniform(drawn[2], drawn[3])
         found.row[count] = i
         found.by[count] = _around(crowd, i, c, files, ground, radius, share)[1]
         found.part[count] = waiting / (rate * burden)

@@ -6,10 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel
+from gasbox.kernels.epidemic.stages import ASYMPTOMATIC, INFECTIOUS
 
 __all__ = ["look"]
-
-_EXPOSED, _INFECTIOUS, _ASYMPTOMATIC = 1, 2, 3
 
 
 @bare_kernel
@@ -42,13 +41,13 @@ def look(
     """
     infectious, ended, cases = 0, 0, 0
     for i in range(stage.shape[0]):
-        if stage[i] != _INFECTIOUS and stage[i] != _ASYMPTOMATIC:
+        if stage[i] != INFECTIOUS and stage[i] != ASYMPTOMATIC:
             continue
-        cases += stage[i] == _INFECTIOUS
+        cases += stage[i] == INFECTIOUS
         end = min(time, until[i], free_until[i])
         if end > counted[i]:
             who[infectious] = i
-            weight[infectious] = (end - counted[i]) * (weaker if stage[i] == _ASYMPTOMATIC else 1.0)
+            weight[infectious] = (end - counted[i]) * (weaker if stage[i] == ASYMPTOMATIC else 1.0)
             infectious += 1
             counted[i] = end
         if until[i] <= time:

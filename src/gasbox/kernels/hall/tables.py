@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gasbox.geometry import ElementKind, Enclosure, Path, Piston, Rectangle, Sinusoid
 from gasbox.geometry.wall import Motion, Wall
+from gasbox.rng import halves
 
 __all__ = ["Hall", "hall", "set_motion"]
 
@@ -100,7 +101,7 @@ def hall(enclosure: Enclosure, species: int, seed: int) -> Hall:
         np.zeros(0, np.int32),
         np.zeros((0, 2), np.int8),
         np.flatnonzero(moves).astype(np.int32),
-        np.array([seed & 0xFFFFFFFF, seed >> 32], np.int64),
+        halves(seed),
         np.zeros(6),
     )
 

@@ -8,15 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.jit import bare_kernel, inlined_kernel
-from gasbox.kernels.hall.random import philox
+from gasbox.kernels.walk.chance import words
 from gasbox.kernels.walk.filing import file_people
 from gasbox.kernels.walk.keep_apart import keep_apart
 from gasbox.kernels.walk.tables import Files, Ground, Manner, Walkers
+from gasbox.rng import Stream
 
 __all__ = ["advance"]
 
-_STREAM = 15
-_WORD = 0xFFFFFFFF
+_STREAM = int(Stream.WALK_TURNS)
 _FASTEST = 2.0
 """Times the speed: nobody is pushed faster than that."""
 
@@ -48,7 +48,6 @@ def _walk(people: Walkers, ground: Ground, manner: Manner, apart: bool, step: in
     """One step of all; each draws a word of its own of the random numbers of a group of four."""
     group = -1
     w0, w1, w2, w3 = 0, 0, 0, 0
-    key = manner.seed[0] ^ _STREAM
     for i in range(people.id.shape[0]):
         if people.going[i] == 1:
             _go(people, manner, i)
@@ -56,9 +55,7 @@ def _walk(people: Walkers, ground: Ground, manner: Manner, apart: bool, step: in
         number = people.id[i]
         if number >> 2 != group:
             group = number >> 2
-            w0, w1, w2, w3 = philox(
-                group & _WORD, group >> 32, step & _WORD, (step >> 32) & _WORD, key, manner.seed[1]
-            )
+            w0, w1, w2, w3 = words(group, step, _STREAM, manner.seed)
         word = w0 if number & 3 == 0 else w1 if number & 3 == 1 else w2 if number & 3 == 2 else w3
         # A turn by twice the angle whose tangent this is: exact, without a sine.
         half = manner.swerve * ((word + 0.5) * (2.0 / 4294967296.0) - 1.0)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from gasbox.kernels import epidemic as kernels
 from gasbox.kernels.walk import files, ground
-from gasbox.rng import Stream
+from gasbox.rng import Stream, halves
 from gasbox.scenario import Epidemic, Places, Scenario
 from gasbox.state import ContactKind, Contacts, Memory, State
 from gasbox.worlds.epidemic.dials import Dials
@@ -44,7 +44,7 @@ class Disease:
         self._world = scenario.world
         self._dials, self._interval = dials, interval
         self._exposes = any(entry.name == "exposed" for entry in scenario.species)
-        self.seed = np.array([scenario.seed & 0xFFFFFFFF, scenario.seed >> 32], np.int64)
+        self.seed = halves(scenario.seed)
         geometry = scenario.geometry()
         self._ground = ground(places.table, geometry.size, geometry.periodic)
         self._radius = -1.0

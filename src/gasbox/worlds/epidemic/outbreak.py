@@ -17,7 +17,7 @@ from gasbox.worlds.epidemic.dials import Dials
 from gasbox.worlds.epidemic.diary import Diary, infected
 from gasbox.worlds.epidemic.disease import Disease
 from gasbox.worlds.epidemic.measures import Measures
-from gasbox.worlds.epidemic.people import DEAD, SUSCEPTIBLE, People
+from gasbox.worlds.epidemic.people import ASYMPTOMATIC, DEAD, EXPOSED, INFECTIOUS, SUSCEPTIBLE, People
 
 __all__ = ["Outbreak"]
 
@@ -70,12 +70,12 @@ class Outbreak:
         people = self._people = People.healthy(state.count)
         people.stage[:] = self._stage_of[state.species]
         self._find_rooms(state)
-        for stage in (1, 2, 3):
+        for stage in (EXPOSED, INFECTIOUS, ASYMPTOMATIC):
             self._seed(state, stage)
         before = self._world.vaccination.before
         immune = self._measures.vaccinate(people, state, 0, before) if before else np.empty(0, np.int64)
         self._susceptible = int((people.stage == SUSCEPTIBLE).sum())
-        self._measures.watch(int((people.stage == 2).sum()))
+        self._measures.watch(int((people.stage == INFECTIOUS).sum()))
         replies: list[Reply] = [*self._measures.keep_apart(state)]
         self._look(state)
         return [*self._changed(state, immune), *replies]
@@ -91,7 +91,7 @@ class Outbreak:
         people = self._people
         rows = np.flatnonzero((people.stage == stage) & (people.infected_at < 0.0))
         since = np.full(rows.size, state.time)
-        if stage == 1:
+        if stage == EXPOSED:
             self._disease.begin(people, state.id, rows, since)
             return
         people.infected_at[rows] = since

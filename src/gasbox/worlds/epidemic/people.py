@@ -10,6 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.kernels import epidemic as kernels
+from gasbox.kernels.epidemic.stages import (
+    ASYMPTOMATIC,
+    DEAD,
+    EXPOSED,
+    INFECTIOUS,
+    RECOVERED,
+    SUSCEPTIBLE,
+    VACCINATED,
+)
 from gasbox.rng import Stream
 from gasbox.state import Memory
 
@@ -28,7 +37,6 @@ __all__ = [
     "drawn",
 ]
 
-SUSCEPTIBLE, EXPOSED, INFECTIOUS, ASYMPTOMATIC, RECOVERED, DEAD, VACCINATED = range(7)
 NEVER: Final = 1e300
 """A time that does not come [time]; finite, so that it can be saved."""
 
@@ -51,7 +59,7 @@ class People:
 
     Attributes
     ----------
-    stage : (n,) int8
+    stage : (n,) int8, as in `gasbox.kernels.epidemic.stages`
     infected_at : (n,) float64 [time]; -1 of those who never were
     onset : (n,) float64 [time], when they became infectious; -1 before
     until : (n,) float64 [time], end of the present stage, of those who are infected

@@ -8,7 +8,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from gasbox.app.chart_options import FONT, INK_TEXT, plain_axis
+from gasbox.app.chart_options import FONT, INK_TEXT, axis_tip, plain_axis
 from gasbox.app.worlds.epidemic.course import STAGES, Course, Mark, thinned
 
 __all__ = ["COLORS", "runs", "runs_now", "spread", "spread_now", "stages", "stages_now"]
@@ -245,12 +245,5 @@ def _frame(description: str, show: str, legend: Sequence[str] = ()) -> dict[str,
             "itemGap": 8,
             "textStyle": {**INK_TEXT, "lineHeight": 13},
         },
-        "tooltip": {
-            "trigger": "axis",
-            "confine": True,
-            "transitionDuration": 0,
-            "className": "chart-tip",
-            "axisPointer": {"type": "line", "animation": False, "lineStyle": {"color": "var(--muted)"}},
-            ":formatter": _TIP.replace("SHOW", show),
-        },
+        "tooltip": axis_tip(_TIP.replace("SHOW", show)),
     }
