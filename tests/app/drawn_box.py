@@ -75,7 +75,7 @@ def boxes(browser: Browser, server: FrameServer) -> Iterator[Callable[..., Box]]
         session.pause()
         session.start()
         session.settle()
-        state = session._show.simulation.state
+        state = session.show.simulation.state
         assert state.count == count
         context = browser.new_context(
             viewport={"width": 640, "height": 480}, device_scale_factor=ratio, color_scheme="light"

@@ -20,7 +20,7 @@ from gasbox.worlds import MaxwellsDemon
 
 
 def asked(lab: Lab) -> list[SetWorld]:
-    return [change for _, change in lab.session._show.simulation.changes if isinstance(change, SetWorld)]
+    return [change for _, change in lab.session.show.simulation.changes if isinstance(change, SetWorld)]
 
 
 async def opened(lab: Lab, name: str = "demon-sorting") -> MaxwellsDemon:
@@ -28,7 +28,7 @@ async def opened(lab: Lab, name: str = "demon-sorting") -> MaxwellsDemon:
     scenario: Scenario = load(name)
     await loaded(lab, scenario)
     await lab.until(lambda: lab.page.world.panel is not None)
-    simulation: Any = lab.session._show.simulation
+    simulation: Any = lab.session.show.simulation
     demon = MaxwellsDemon(scenario)
     demon.start(simulation.state, scenario.geometry())
     apply = simulation.apply

@@ -36,7 +36,7 @@ def table(**choices: Any) -> Scenario:
 
 
 def asked(lab: Lab) -> list[SetWorld]:
-    return [change for _, change in lab.session._show.simulation.changes if isinstance(change, SetWorld)]
+    return [change for _, change in lab.session.show.simulation.changes if isinstance(change, SetWorld)]
 
 
 async def opened(lab: Lab, **choices: Any) -> None:
@@ -60,7 +60,7 @@ async def test_bats_and_goal_lines_cannot_be_taken_away(lab: Lab) -> None:
     assert shown <= {"left", "right"}
     await lab.press("d")
     await lab.press("g")
-    changes = lab.session._show.simulation.changes
+    changes = lab.session.show.simulation.changes
     await lab.until(lambda: changes)
     assert [type(change) for _, change in changes] == [SetGravity]
 
@@ -85,7 +85,7 @@ async def test_what_is_chosen_is_set(lab: Lab) -> None:
 
 async def test_serve_only_before_a_serve(lab: Lab) -> None:
     await opened(lab)
-    simulation: Any = lab.session._show.simulation
+    simulation: Any = lab.session.show.simulation
     for phase, may in (("serve", True), ("play", False), ("over", False)):
         simulation.world = Player({"phase": phase})
         await lab.until(lambda may=may: lab.one("pong-serve").enabled is may)

@@ -18,7 +18,7 @@ EVERYTHING = walled(
 
 
 def changes(lab: Lab) -> list[object]:
-    return [change for _, change in lab.session._show.simulation.changes]
+    return [change for _, change in lab.session.show.simulation.changes]
 
 
 async def opened(lab: Lab) -> None:
@@ -89,7 +89,7 @@ async def test_a_divider_goes_and_comes_back(lab: Lab) -> None:
     await lab.until(lambda: lab.one("wall-4-present").props["aria-label"] == "Put back divider")
     lab.click("wall-4-present")
     await lab.until(lambda: changes(lab)[-1] == SetWall("divider", present=True))
-    geometry = lab.session._show.simulation.geometry
+    geometry = lab.session.show.simulation.geometry
     assert isinstance(geometry, Enclosure)
     assert geometry.walls[4].present
 

@@ -153,3 +153,11 @@ def test_what_has_grown_is_heard_and_the_choice_is_kept(page: Page) -> None:
     off, kept, next_time, heard = page.evaluate(SOUNDS, counts)
     assert (off, kept, next_time) == (False, "on", True)
     assert heard[:3] == ["paddle", "goal", "wall"]
+
+
+def test_a_mouse_that_was_let_go_outside_holds_no_bat(page: Page) -> None:
+    passing = {"type": "pointermove", "buttons": 0}
+    deeds = [("point", 10, 30, {"type": "pointerdown", "buttons": 1}), FRAME, ("point", 150, 40, passing)]
+    assert played(page, BOTH, *deeds)[-1] == ["right_target", 40]
+    held = ("point", 150, 40, {**passing, "buttons": 1})
+    assert played(page, BOTH, *deeds[:2], held)[-1] == ["left_target", 40]

@@ -107,7 +107,7 @@ def test_walls_are_solid_and_periodic_sides_dashed(open_box: Any, renderer: str)
 @BOTH
 def test_highlighted_discs_stand_out(open_box: Any, renderer: str) -> None:
     box = open_box(renderer, [(0, 10.0, 20.0), (2, 30.0, 20.0)])
-    box.session._show.simulation.state.velocity[1] = (0.001, 0.0)
+    box.session.show.simulation.state.velocity[1] = (0.001, 0.0)
     box.session.highlight(2, 0.0005, 0.002)
     box.redrawn()
     assert box.color_at(30, 20) == BLUE
@@ -122,7 +122,7 @@ def test_highlighted_discs_stand_out(open_box: Any, renderer: str) -> None:
 @BOTH
 def test_a_followed_disc_has_a_ring_and_a_trail(open_box: Any, renderer: str) -> None:
     box = open_box(renderer, [(0, 10.0, 20.0), (2, 30.0, 20.0)])
-    box.session._show.simulation.state.velocity[0] = (4.0, 0.0)
+    box.session.show.simulation.state.velocity[0] = (4.0, 0.0)
     assert (box.screenshot().sum(axis=2)[100:300, 50:550] > 150).all()
     box.session.follow(0)
     for _ in range(5):

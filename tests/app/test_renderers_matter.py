@@ -41,7 +41,7 @@ def test_colours_say_what_is_asked_for(open_box: Any, renderer: str) -> None:
     box.session.dress(Look("phase"))
     box.redrawn()
     assert [box.color_at(x, 20) for x in places] == [GAS, GAS, GAS]
-    box.session._show.simulation.state.velocity[0] = (1e-3, 0.0)
+    box.session.show.simulation.state.velocity[0] = (1e-3, 0.0)
     box.session.dress(Look("speed"))
     box.redrawn()
     fast, slow, other = (box.color_at(x, 20) for x in places)
@@ -87,7 +87,7 @@ def test_bonds_go_through_periodic_sides(open_box: Any, renderer: str) -> None:
 @BOTH
 def test_a_box_that_shrinks_is_drawn_as_it_is_now(open_box: Any, renderer: str) -> None:
     box = open_box(renderer, [(2, 0.3, 10.0), (0, 20.0, 10.0)])
-    box.session._show.simulation.state.wall_displacement = np.array([0.0, -10.0, 0.0, -5.0])
+    box.session.show.simulation.state.wall_displacement = np.array([0.0, -10.0, 0.0, -5.0])
     for _ in range(3):
         box.redrawn()
     assert box.color_at(0.8, 10) == BLUE
@@ -101,7 +101,7 @@ def test_a_box_that_shrinks_is_drawn_as_it_is_now(open_box: Any, renderer: str) 
 def test_the_view_follows_a_box_that_grows_or_shrinks_far(open_box: Any) -> None:
     box = open_box("cpu", [(0, 20.0, 10.0)])
     before = box.scale()
-    state = box.session._show.simulation.state
+    state = box.session.show.simulation.state
     state.wall_displacement = np.array([0.0, 60.0, 0.0, 40.0])
     box.redrawn()
     assert box.scale() == pytest.approx(before / 2, rel=0.05)

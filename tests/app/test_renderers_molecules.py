@@ -82,7 +82,7 @@ def test_molecules_are_turned_discs_with_sticks(open_box: Any, renderer: str) ->
     assert float(rotation.split()[-1]) > 0.0
     # What bends is where its discs are, not where it was made.
     assert [box.color_at(x, 20) for x in (41.7, 38.3)] == [(255, 0, 0), GREEN]
-    box.session._show.simulation.state.sites.place[5] += (0.0, -5.0)  # turned by half a turn
+    box.session.show.simulation.state.sites.place[5] += (0.0, -5.0)  # turned by half a turn
     box.session.dress(Look("phase"))
     box.redrawn()
     assert box.color_at(38.3, 25) == GAS

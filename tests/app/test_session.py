@@ -125,7 +125,7 @@ def test_an_engine_that_fails_stops_the_clock_and_says_why(session: Session) -> 
     session.pause()
     session.start()
     session.settle()
-    session._show.simulation.advance = _broken  # type: ignore[method-assign]
+    session.show.simulation.advance = _broken  # type: ignore[method-assign]
     session.play()
     until(lambda: session.trouble)
     assert session.trouble == "no progress"
@@ -191,11 +191,11 @@ def test_gas_and_speed_are_handed_over(session: Session) -> None:
     session.set_speed(3.0)
     session.pause()
     session.step().result(5)
-    gas_itself = session._show.simulation
+    gas_itself = session.show.simulation
     heir = Session(session.origin, unwatched=True, simulate=FreeFlight)
     session.hand_over(heir)
     heir.settle()
-    assert heir._show.simulation is gas_itself
+    assert heir.show.simulation is gas_itself
     assert (heir.speed, heir.playing) == (3.0, False)
     with pytest.raises(UsageError, match="ended"):
         session.settle()

@@ -36,21 +36,21 @@ def test_time_stands_still_while_nobody_looks() -> None:
     session.start()
     session.settle()
     time.sleep(0.1)
-    assert session._show.simulation.time == 0.0
+    assert session.show.simulation.time == 0.0
 
     mailbox = open_mailbox(session)
-    until(lambda: session._show.simulation.time > 0.5)
+    until(lambda: session.show.simulation.time > 0.5)
 
     mailbox.hidden = True
     session.settle()
-    until(lambda: not session._show.running)
-    hidden = session._show.simulation.time
+    until(lambda: not session.show.running)
+    hidden = session.show.simulation.time
     time.sleep(0.1)
-    assert session._show.simulation.time == hidden
+    assert session.show.simulation.time == hidden
 
     mailbox.hidden = False
     session.wake()
-    until(lambda: session._show.simulation.time > hidden)
+    until(lambda: session.show.simulation.time > hidden)
     session.close()
 
 
@@ -60,14 +60,14 @@ def test_without_acks_it_suspends_and_an_ack_wakes_it_up(monkeypatch: pytest.Mon
     session.start()
     mailbox = open_mailbox(session)
     until(lambda: isinstance(mailbox.take(), bytes))
-    until(lambda: not session._show.running)
-    stopped = session._show.simulation.time
+    until(lambda: not session.show.running)
+    stopped = session.show.simulation.time
     time.sleep(0.1)
-    assert session._show.simulation.time == stopped
+    assert session.show.simulation.time == stopped
     assert not session.watched
     mailbox.ack(1, 1)
     session.wake()
-    until(lambda: session._show.simulation.time > stopped)
+    until(lambda: session.show.simulation.time > stopped)
     session.close()
 
 

@@ -67,7 +67,7 @@ def test_a_wall_follows_a_hand_and_only_its_newest_place_counts(paused: Session)
         paused.drag(1, place)
     paused.drop(1)
     paused.settle()
-    changes = [change for _, change in paused._show.simulation.changes]
+    changes = [change for _, change in paused.show.simulation.changes]
     moves = [change for change in changes if isinstance(change, MoveWall)]
     assert moves[-1].displacement == -3.0
     assert changes[-1] == SetWall("right", free=True)
@@ -78,4 +78,4 @@ def test_a_hand_at_a_wall_that_stays_moves_nothing(paused: Session) -> None:
     paused.drag(77, 5.0)
     paused.drop(0)
     paused.settle()
-    assert paused._show.simulation.changes == []
+    assert paused.show.simulation.changes == []

@@ -78,10 +78,10 @@ def test_a_page_loaded_again_gets_its_gas_back(registry: Registry) -> None:
     old, new = registry.open(scenario), registry.open(scenario)
     old.start()
     old.settle()
-    simulation = old._show.simulation
+    simulation = old.show.simulation
     assert registry.inherit(new, old.id)
     new.settle()
-    assert new._show.simulation is simulation
+    assert new.show.simulation is simulation
     assert registry.find(old.id) is None
     assert registry.seated == 1
 

@@ -134,13 +134,13 @@ def test_hidden_stops_the_frames_and_visible_starts_them(server: FrameServer, se
         client.send(json.dumps({"hidden": True}))
         ack(client, 1)
         time.sleep(0.3)
-        hidden = session._show.simulation.time
+        hidden = session.show.simulation.time
         time.sleep(0.3)
-        assert session._show.simulation.time == hidden
+        assert session.show.simulation.time == hidden
         client.send(json.dumps({"hidden": False}))
         ack(client, 2)
         time.sleep(0.3)
-        assert session._show.simulation.time > hidden
+        assert session.show.simulation.time > hidden
 
 
 def test_a_lost_connection_leaves_the_gas_where_it_is(server: FrameServer, session: Session) -> None:
@@ -150,9 +150,9 @@ def test_a_lost_connection_leaves_the_gas_where_it_is(server: FrameServer, sessi
             ack(client, received)
     wait_for_end(session)
     time.sleep(0.1)  # the beat at hand may still end
-    stopped = session._show.simulation.time
+    stopped = session.show.simulation.time
     time.sleep(0.2)
-    assert session._show.simulation.time == stopped
+    assert session.show.simulation.time == stopped
     with connect(server.url(session)) as client:
         assert next_frame(client).time >= last.time
         assert session.version == 1
@@ -176,12 +176,12 @@ def test_the_old_socket_may_close_after_the_new_one_has_opened(server: FrameServ
     old, new = server.registry.open(scenario), server.registry.open(scenario)
     with connect(server.url(old)) as leaving:
         last = next_frame(leaving)
-        simulation = old._show.simulation
+        simulation = old.show.simulation
         with connect(server.url(new, f"?previous={old.id}")) as client:
             time.sleep(0.1)
             leaving.close()
             assert next_frame(client).time >= last.time
-            assert new._show.simulation is simulation
+            assert new.show.simulation is simulation
 
 
 def test_a_guessed_id_is_turned_away(server: FrameServer) -> None:

@@ -49,24 +49,24 @@ def test_frames_arrive_and_move(page: Page) -> None:
 
 
 def test_a_lost_connection_comes_back_to_the_same_gas(page: Page, session: Session) -> None:
-    simulation = session._show.simulation
+    simulation = session.show.simulation
     drawn, shown = page.evaluate("[gasboxStats.drawn, gasboxStats.time]")
     page.evaluate("lab.socket.socket.close()")
     page.wait_for_function("notices.includes('lost')")
     page.wait_for_function(f"gasboxStats.drawn > {drawn + 5} && gasboxStats.connected")
     assert page.evaluate("gasboxStats.time") >= shown
-    assert session._show.simulation is simulation
+    assert session.show.simulation is simulation
     assert page.locator(".gasbox-message").is_hidden()
 
 
 def test_a_page_loaded_again_gets_its_gas_back(page: Page, server: FrameServer, session: Session) -> None:
     session.pause()
     session.step().result(5)
-    simulation, stopped = session._show.simulation, session._show.simulation.time
+    simulation, stopped = session.show.simulation, session.show.simulation.time
     again = server.registry.open(session.origin)
     page.goto(server.page(again))
     page.wait_for_function("window.gasboxStats?.drawn > 0")
-    assert again._show.simulation is simulation
+    assert again.show.simulation is simulation
     assert page.evaluate("gasboxStats.time") == stopped
     assert not again.playing
 
@@ -87,13 +87,13 @@ def test_a_hidden_tab_costs_nothing(browser: Browser, page: Page, session: Sessi
       document.dispatchEvent(new Event("visibilitychange"));
     }""")
     end = time.monotonic() + 5
-    while session._show.running:
+    while session.show.running:
         assert time.monotonic() < end
         time.sleep(0.02)
-    received, stopped = page.evaluate("gasboxStats.received"), session._show.simulation.time
+    received, stopped = page.evaluate("gasboxStats.received"), session.show.simulation.time
     page.wait_for_timeout(500)
     assert page.evaluate("gasboxStats.received") <= received + 2
-    assert session._show.simulation.time == stopped
+    assert session.show.simulation.time == stopped
     page.evaluate("delete document.hidden, document.dispatchEvent(new Event('visibilitychange'))")
     page.wait_for_function(f"gasboxStats.time > {stopped}")
 

@@ -67,6 +67,26 @@ def test_texts_come_first_and_all(mailbox: Mailbox) -> None:
     assert [mailbox.take() for _ in range(4)] == ["one", "two", b"frame", None]
 
 
+def test_only_the_newest_view_waits_and_goes_out_before_its_frame(mailbox: Mailbox) -> None:
+    for number in range(100):
+        mailbox.put_view(f"view {number}")
+        mailbox.put_frame(bytes([number]))
+    assert [mailbox.take() for _ in range(3)] == ["view 99", bytes([99]), None]
+    mailbox.put_view("while nothing moves")
+    assert [mailbox.take() for _ in range(2)] == ["while nothing moves", None]
+
+
+def test_a_reader_that_is_slow_gets_no_views_either(mailbox: Mailbox) -> None:
+    for _ in range(WINDOW):
+        mailbox.put_frame(b"frame")
+        mailbox.take()
+    mailbox.put_view("old")
+    mailbox.put_view("new")
+    assert mailbox.take() is None
+    mailbox.ack(1, 1)
+    assert [mailbox.take() for _ in range(2)] == ["new", None]
+
+
 def test_a_new_table_makes_the_waiting_frame_stale(mailbox: Mailbox) -> None:
     mailbox.put_frame(b"old")
     mailbox.put_text("table", stale=True)

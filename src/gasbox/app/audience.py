@@ -57,6 +57,12 @@ class Audience:
         if mailbox is not None:
             mailbox.put_text(text, stale=stale)
 
+    def view(self, text: str) -> None:
+        """What there is to show of the world, in place of what is still waiting."""
+        mailbox = self._mailbox
+        if mailbox is not None:
+            mailbox.put_view(text)
+
     def wants_frames(self) -> bool:
         """Whether a frame would be of any use."""
         mailbox = self._mailbox

@@ -1,4 +1,4 @@
-"""Between the worker that makes frames and the socket that sends them: only the newest frame waits."""
+"""Between the worker that makes frames and the socket that sends them: only the newest frame and view wait."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ NO_ACK_LIMIT: Final = 2.0
 
 
 class Mailbox:
-    """One browser's box: texts in order and never dropped, and the newest frame.
+    """One browser's box: texts in order and never dropped, the newest view of a world, and the newest frame.
 
-    Its memory is bounded however slow the reader is: one frame waits here, `WINDOW` are on their way.
+    Its memory is bounded however slow the reader is: a view and a frame wait here, `WINDOW` are on their way.
     Every method may be called from any thread; `ring` wakes the sender up.
     """
 
@@ -28,6 +28,7 @@ class Mailbox:
         self._clock = clock
         self._lock = threading.Lock()
         self._texts: deque[str] = deque()
+        self._view: str | None = None
         self._frame: bytes | None = None
         self._sent = 0
         self._acked = 0
@@ -46,6 +47,12 @@ class Mailbox:
                 self._frame = None
         self._ring()
 
+    def put_view(self, text: str) -> None:
+        """Replace the view of a world that waits by a newer one; it goes out before the frame that belongs to it."""
+        with self._lock:
+            self._view = text
+        self._ring()
+
     def put_frame(self, frame: bytes) -> None:
         """Replace the waiting frame by a newer one."""
         with self._lock:
@@ -54,11 +61,16 @@ class Mailbox:
         self._ring()
 
     def take(self) -> str | bytes | None:
-        """What to send next: texts first, then the frame if the window is open, else None."""
+        """What to send next: texts first; if the window is open, the view, then the frame; else None."""
         with self._lock:
             if self._texts:
                 return self._texts.popleft()
-            if self._frame is None or self._sent - self._acked >= WINDOW:
+            if self._sent - self._acked >= WINDOW:
+                return None
+            if self._view is not None:
+                view, self._view = self._view, None
+                return view
+            if self._frame is None:
                 return None
             frame, self._frame = self._frame, None
             if self._sent == self._acked:

@@ -61,10 +61,9 @@ class Session:
         """The browser that looks."""
         self.charts: frozenset[str] | None = None
         """Names of the charts that were chosen beside the histograms; None: nobody has chosen."""
-        self._scenario = scenario
+        self._scenario, self._wishes = scenario, Wishes()
         self._prepare, self._admit, self._simulate = prepare, admit, simulate
-        self._wishes = Wishes()
-        self.show = self._show = Show(self._wishes, self.audience, unwatched)
+        self.show = Show(self._wishes, self.audience, unwatched)  # its methods are called through `ask`
         self.home: Home | None = None  # where there may be other sessions beside this one
         self._worker: Worker | None = None
         self._lock = threading.Lock()
@@ -87,12 +86,12 @@ class Session:
     @property
     def version(self) -> int:
         """Increases with each load and reset; 0 while the first gas is still being made."""
-        return self._show.version
+        return self.show.version
 
     @property
     def trouble(self) -> str | None:
         """Why the gas cannot go on, or could not be made."""
-        return self._show.trouble
+        return self.show.trouble
 
     @property
     def started(self) -> bool:
@@ -123,14 +122,14 @@ class Session:
         with self._lock:
             if self._worker is not None:
                 return
-            self._worker = Worker(self._show.beat, f"gasbox-{self.id[:6]}")
+            self._worker = Worker(self.show.beat, f"gasbox-{self.id[:6]}")
             self._worker.start()
             self.ask(lambda: self._begin(simulation))
 
     def play(self, playing: bool = True) -> None:
         """Let time run."""
         self._wishes.playing = playing
-        self.ask(self._show.changed)
+        self.ask(self.show.changed)
 
     def pause(self) -> None:
         """Let time stand still."""
@@ -151,16 +150,16 @@ class Session:
         if not math.isfinite(speed):
             raise UsageError(f"speed: found {speed}; a number from {SPEED_LIMITS[0]} to {SPEED_LIMITS[1]}")
         self._wishes.speed = min(max(float(speed), SPEED_LIMITS[0]), SPEED_LIMITS[1])
-        self.ask(self._show.changed)
+        self.ask(self.show.changed)
 
     def step(self) -> Future[Any]:
         """One frame; pauses first."""
         self._wishes.playing = False
-        return self.ask(self._show.step)
+        return self.ask(self.show.step)
 
     def reset(self) -> Future[Any]:
         """Back to the start of the same scenario, with the same seed."""
-        return self.ask(lambda: self._show.attempt(lambda: self._simulate(self._scenario)))
+        return self.ask(lambda: self.show.attempt(lambda: self._simulate(self._scenario)))
 
     def load(self, scenario: Scenario) -> None:
         """Replace the gas by that of another scenario or snapshot. Waits: call it outside of an event loop.
@@ -190,7 +189,7 @@ class Session:
             There is no gas.
         """
         self.start()
-        return outcome(self.ask(lambda: self._show.simulation.snapshot()))
+        return outcome(self.ask(lambda: self.show.simulation.snapshot()))
 
     def settle(self, timeout: float = 30.0) -> None:
         """Wait until every order given so far is carried out."""
@@ -202,70 +201,71 @@ class Session:
         Never waits: a running gas makes a fresh copy after each call, a paused one after each change. So the
         copy is at most as old as the time between two calls.
         """
-        self._show.sample_wanted = True
-        return self._show.sample
+        self.show.sample_wanted = True
+        return self.show.sample
 
     def highlight(self, species: int, low: float, high: float, quantity: Quantity = "speed") -> None:
         """Light up the discs of one species whose speed or energy lies in [low, high)."""
         self._wishes.light = Bin(species, low, high, quantity)
-        self.ask(self._show.publish)
+        self.ask(self.show.publish)
 
     def clear_highlight(self) -> None:
         """Light up nothing."""
         self._wishes.light = None
-        self.ask(self._show.publish)
+        self.ask(self.show.publish)
 
     def dress(self, look: Look) -> None:
         """Show discs in another way."""
         self._wishes.look = look
-        self.ask(self._show.publish)
+        self.ask(self.show.publish)
 
     def follow(self, particle_id: int | None) -> None:
         """Follow one particle, or none; an id that does not exist is none."""
         self._wishes.followed_id = particle_id
-        self.ask(self._show.publish)
+        self.ask(self.show.publish)
 
     def point(self, row: Any) -> None:
         """Tell about the particle in this row with each frame; about none for anything that is no row."""
         self._wishes.pointed_id = self.id_of_row(row)
-        self.ask(self._show.publish)
+        self.ask(self.show.publish)
 
     def followed(self) -> Followed | None:
         """The followed disc as last shown."""
-        return self._show.followed
+        return self.show.followed
 
     def change(self, change: Change) -> Future[None]:
         """Change gravity, a wall or a setting, between two beats; what cannot be done comes out of the future."""
-        return self.ask(lambda: self._show.change(change))
+        return self.ask(lambda: self.show.change(change))
 
     def drag(self, wall: int, displacement: float) -> None:
         """Let a wall follow a hand, with bounded speed; the newest place counts."""
         self._wishes.hands = {**self._wishes.hands, wall: displacement}
-        self.ask(self._show.follow_hands)
+        self.ask(self.show.follow_hands)
 
     def drop(self, wall: int) -> None:
         """The hand lets go of a wall."""
-        self.ask(lambda: self._show.let_loose(wall))
+        self.ask(lambda: self.show.let_loose(wall))
 
     def id_of_row(self, row: Any) -> int | None:
         """The id of the disc in this row of the frame; None for anything else."""
-        sample = self._show.sample
-        known = isinstance(row, int) and sample is not None and 0 <= row < sample.state.count
-        return int(sample.state.id[row]) if known and sample is not None else None
+        sample = self.show.sample
+        if not isinstance(row, int) or sample is None or not 0 <= row < sample.state.count:
+            return None
+        return int(sample.state.id[row])
 
     def attach(self, mailbox: Mailbox) -> None:
         """Send frames to this mailbox from now on, and no longer to an earlier one."""
         self.audience.attach(mailbox)
-        self.ask(self._show.publish_all)
+        self.ask(self.show.publish_all)
 
     def wake(self) -> None:
         """Something may have changed about who looks."""
-        if self._worker is not None and self.playing and self.watched and not self._show.running:
+        if self._worker is not None and self.playing and self.watched and not self.show.running:
             self._worker.wake()
 
     def hand_over(self, heir: Session) -> None:
         """Give gas, speed and all to another session, and end. For a page that was loaded again. Waits."""
-        simulation = outcome(self.ask(lambda: self._show.simulation))
+        simulation = outcome(self.ask(lambda: self.show.simulation))
         self.close()
         heir._scenario, heir.charts = self._scenario, self.charts
         heir._wishes.inherit(self._wishes)
@@ -277,7 +277,7 @@ class Session:
         if self._worker is not None:
             self._worker.close()
             self._worker.join(5.0)
-            self._show.let_go()
+            self.show.let_go()
 
     def ask(self, order: Callable[[], _T]) -> Future[_T]:
         """Have something done in its thread, between two beats."""
@@ -292,9 +292,9 @@ class Session:
             self._prepare()
             return self._simulate(self._scenario)
 
-        self._show.attempt(make if simulation is None else lambda: simulation)
+        self.show.attempt(make if simulation is None else lambda: simulation)
 
     def _install(self, simulation: Simulation, scenario: Scenario) -> None:
         self._scenario = scenario
         self._wishes.light = self._wishes.followed_id = self._wishes.pointed_id = None
-        self._show.install(simulation)
+        self.show.install(simulation)

@@ -162,9 +162,8 @@ class Show:
             It cannot be done; nothing has changed.
         """
         self.simulation.apply(change)
-        if not (
-            self.running and isinstance(change, SetWorld)
-        ):  # it is seen with the next frame, when the world has acted
+        # A setting of a world that runs is seen with the next frame, when the world has acted.
+        if not (self.running and isinstance(change, SetWorld)):
             self.publish()
 
     def follow_hands(self) -> None:
@@ -237,9 +236,8 @@ class Show:
         if motion is None:
             return
         simulation = motion.simulation
-        if (
-            simulation.geometry is not self._geometry
-        ):  # by a change, by the scenario's schedule, or by a world
+        # By a change, by the scenario's schedule, or by a world.
+        if simulation.geometry is not self._geometry:
             self._see_geometry(simulation)
         self._tell_of_world(simulation)
         self.followed, _ = picture.find(simulation, wishes.followed_id)
@@ -266,7 +264,7 @@ class Show:
         view = {} if simulation.world is None else simulation.world.view()
         if view != self._view:
             self._view = view
-            self._audience.tell(protocol.notice("world", view=view))
+            self._audience.view(protocol.notice("world", view=view))
 
     def _copy(self, motion: Motion) -> Sample:
         simulation = motion.simulation

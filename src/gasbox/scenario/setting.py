@@ -48,6 +48,13 @@ class Setting:
         elif self.words:
             if value not in self.words:
                 raise ValueError(f"must be one of {', '.join(self.words)}")
-        elif isinstance(value, bool | str) or not self.least <= value <= self.greatest:
-            raise ValueError(f"must be a number from {self.least:g} to {self.greatest:g}")
+        elif isinstance(value, bool | str) or not (
+            math.isfinite(value) and self.least <= value <= self.greatest
+        ):
+            bounded = math.isfinite(self.least) or math.isfinite(self.greatest)
+            raise ValueError(
+                f"must be a number from {self.least:g} to {self.greatest:g}"
+                if bounded
+                else "must be a finite number"
+            )
         return value

@@ -14,7 +14,6 @@ export class WorldOverlay {
     this.send = send;
     this.kind = null;
     this.world = null;
-    this.view = null;
     this.ender = new AbortController();
     const options = { capture: true, signal: this.ender.signal };
     window.addEventListener("keydown", (event) => this.key(event, true), options);
@@ -28,7 +27,6 @@ export class WorldOverlay {
     this.world?.destroy?.();
     this.kind = kind;
     this.world = kind in WORLDS ? new WORLDS[kind](this.lab, this.send) : null;
-    if (this.view) this.world?.hear?.(this.view);
   }
 
   // CSS pixels: no disc is drawn with a smaller radius.
@@ -37,7 +35,6 @@ export class WorldOverlay {
   }
 
   hear(view) {
-    this.view = view;
     this.world?.hear?.(view);
     this.lab.schedule();
   }
@@ -50,7 +47,9 @@ export class WorldOverlay {
   }
 
   key(event, down) {
-    if (!this.world?.key || event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
+    if (!this.world?.key) return;
+    // A key that is let go is always told, or it would seem to be held for ever.
+    if (down && (event.ctrlKey || event.metaKey || event.altKey || typing(event.target))) return;
     if (this.world.key(event, down)) keep(event);
   }
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Mapping
-from typing import Any
 
 from nicegui import ElementFilter, run, ui
 
@@ -72,10 +71,10 @@ class Pair:
         """The newest copy of the second."""
         return self.second.sample()
 
-    def end(self) -> Any:
+    async def end(self) -> None:
         """Let the second go; its box leaves the page."""
         self._tandem.part()
-        home = self._tandem.first.home
         if not self._root.is_deleted:
             self._root.delete()
-        return None if home is None else run.io_bound(home.dismiss, self.second)
+        if self.second.home is not None:
+            await run.io_bound(self.second.home.dismiss, self.second)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
+from collections.abc import Iterator
 from typing import Any, Literal
 
 from nicegui import background_tasks, ui
@@ -47,7 +49,7 @@ class EpidemicPanel:
         """Of a run beside one that was kept: its measures last when it begins anew."""
         self._last: Course | None = None
         self.pair: Pair | None = None
-        self._busy = False
+        self._busy = self._ended = False
         with ui.element("div").classes("epidemic") as self._root:
             self._build_head()
             self._slot = ui.element("div").classes("measures")
@@ -140,15 +142,30 @@ class EpidemicPanel:
         """Keep the curve of this run, and begin again from the same seed, paused, with the measures as they are set."""
         if self._last is None or self._busy:
             return
-        self._busy = True
         kept = self._last
-        self._encore = Encore(self._session, await self._chosen())
-        self._session.show.partner = self._encore
-        self._session.pause()
-        await asyncio.wrap_future(self._session.reset())
-        self._busy = False
-        self._kept = kept
-        self._arrange()
+        with self._occupied():
+            chosen_by_hand = await self._chosen()
+            if self._ended:
+                return
+            self._encore = Encore(self._session, chosen_by_hand)
+            self._session.show.partner = self._encore
+            self._session.pause()
+            await asyncio.wrap_future(self._session.reset())
+            if not self._ended:
+                self._kept = kept
+                self._arrange()
+
+    @contextlib.contextmanager
+    def _occupied(self) -> Iterator[None]:
+        """While this lasts nothing else is begun; what goes wrong in it is told, and the page goes on."""
+        self._busy = True
+        try:
+            yield
+        except (GasboxError, TimeoutError) as error:
+            text = str(error) or "it took too long"
+            self._tell(f"{text[:1].upper()}{text[1:]}.")
+        finally:
+            self._busy = False
 
     async def _chosen(self) -> dict[str, float]:
         """Settings that were changed by hand in this run."""
@@ -160,14 +177,13 @@ class EpidemicPanel:
         """Open the second box: A as the scenario says, B with the measures as they are set."""
         if self._busy or self.pair is not None:
             return
-        self._busy = True
         self._forget_kept()
-        try:
-            with self._root:
-                self.pair = await Pair.opened(self._session, await self._chosen())
-        except GasboxError as error:
-            self._tell(f"{str(error)[:1].upper()}{str(error)[1:]}.")
-        self._busy = False
+        with self._occupied(), self._root:
+            pair = await Pair.opened(self._session, await self._chosen())
+            if self._ended:
+                await pair.end()
+                return
+            self.pair = pair
         self._turned()
         self._arrange()
 
@@ -185,12 +201,12 @@ class EpidemicPanel:
 
     async def _part(self) -> None:
         pair, self.pair = self.pair, None
-        ending = None if pair is None else pair.end()
-        if ending is not None:
-            await ending
+        if pair is not None:
+            await pair.end()
 
     def end(self) -> None:
         """Another scenario has come."""
+        self._ended = True
         self._forget_kept()
         if self.pair is not None:
             background_tasks.create(self._part(), name="end of run B")

@@ -96,6 +96,8 @@ export class Hands {
   // x, y in the box; middle: half its width. Whether it was for a bat.
   pointer(x, y, event, middle) {
     const { type, pointerId, pointerType } = event;
+    // A mouse that was let go outside of the box tells so only by what it no longer presses.
+    if (type === "pointermove" && pointerType === "mouse" && event.buttons === 0) this.fingers.delete(pointerId);
     const held = this.fingers.get(pointerId);
     if (type === "pointerup" || type === "pointercancel") {
       this.fingers.delete(pointerId);
