@@ -2,19 +2,33 @@
 
 import numpy as np
 
-from gasbox.scenario import parse
+from gasbox.scenario import STAGES, parse
 from gasbox.simulation import Simulation
 
-STAGES = ("susceptible", "exposed", "infectious", "asymptomatic", "recovered", "dead", "vaccinated")
 AREA, RADIUS = 100.0, 2.0
 
 
-def mixed(
-    r0, law, people, seed, ill=1, interval=0.1, stages=("susceptible", "infectious", "recovered"), **world
-):
+SHORT = ("susceptible", "infectious", "recovered")
+
+
+def per_pair(r0, people, radius=RADIUS):
+    """Rate at which one person infects another one nearby, of whom there are few in a circle."""
+    return r0 * AREA / ((people - 1) * np.pi * radius**2)
+
+
+def stirred(r0, people, interval=0.1, radius=RADIUS):
+    """R0 of `mixed`: in each look who is near is infected with 1 - exp(-h), not h, h being rate times interval.
+
+    Who escapes k infectious people, each of whom is near with a probability a, does so with (1 - a (1 - exp(-h)))^k.
+    """
+    h = per_pair(r0, people, radius) * interval
+    return r0 * -np.expm1(-h) / h
+
+
+def mixed(r0, law, people, seed, ill=1, interval=0.1, stages=SHORT, radius=RADIUS, **world):
     """A crowd in which everybody is somewhere else at each look; one day is the mean infectious time."""
     count = {"susceptible": people - ill, "infectious": ill}
-    rate = r0 * AREA / ((people - 1) * np.pi * RADIUS**2)
+    rate = per_pair(r0, people, radius)
     return parse(
         {
             "container": {"width": 10, "height": 10, "periodic": ["x", "y"]},
@@ -28,7 +42,7 @@ def mixed(
             },
             "world": {
                 "kind": "epidemic",
-                "transmission": {"by": "closeness", "radius": RADIUS, "probability_per_day": rate},
+                "transmission": {"by": "closeness", "radius": radius, "probability_per_day": rate},
                 "infectious": {"law": law, "mean": 1.0},
                 "interval": interval,
                 **world,
@@ -36,6 +50,18 @@ def mixed(
             "seed": seed,
         }
     )
+
+
+def fixed_time_course(r0, seeds, days):
+    """Infectious part of the people on some days; each is infectious for one day: s' = -R0 s i, by short steps."""
+    steps = 1000
+    s = np.full(steps + 1 + round(max(days) * steps), 1.0 - seeds)  # from one day before the start
+    i = np.zeros_like(s)
+    i[steps] = seeds
+    for k in range(steps, s.size - 1):
+        s[k + 1] = s[k] * np.exp(-r0 * i[k] / steps)
+        i[k + 1] = s[k + 1 - steps] - s[k + 1] + (seeds if k + 1 < 2 * steps else 0.0)
+    return i[np.round(np.asarray(days) * steps).astype(int) + steps]
 
 
 def slow(people, seed, speed, rate=0.2, **world):

@@ -12,8 +12,10 @@ from gasbox.theory.epidemic import (
     extinction_probability,
     final_size,
     final_size_deviation,
+    final_size_mean,
     herd_threshold,
     peak_infected,
+    share_within,
     well_mixed_reproduction,
 )
 
@@ -90,3 +92,38 @@ def test_reproduction_numbers():
     assert well_mixed_reproduction(0.2, 100 / 49, 0.75, 5) == pytest.approx(3.61, abs=0.005)
     assert contact_reproduction(0.1, 4.0, 5.0) == 2.0
     assert math.isclose(well_mixed_reproduction(0.2, 1000 / 49, 0.25, 5), 4.01, abs_tol=0.005)
+
+
+def sellke(r0, law, people, seeds, runs):
+    """Final sizes (runs,), parts of the people: each falls ill once all infectious time is beyond a threshold."""
+    rng = np.random.default_rng(5)
+    thresholds = np.sort(rng.exponential(size=(runs, people)), axis=1)
+    times = {
+        "fixed": lambda size: np.ones(size),
+        "exponential": lambda size: rng.exponential(size=size),
+        "gamma": lambda size: rng.gamma(4.0, 0.25, size=size),
+    }[law]((runs, people + seeds))
+    pressure = r0 / people * np.cumsum(times, axis=1)[:, seeds - 1 : -1]
+    return np.where((short := thresholds > pressure).any(axis=1), short.argmax(axis=1), people) / people
+
+
+@pytest.mark.parametrize(("law", "seeds"), [("exponential", 1), ("fixed", 1), ("gamma", 2), ("fixed", 5)])
+def test_mean_of_a_finite_crowd(law, seeds):
+    sizes = sellke(2.0, law, 300, seeds, 10_000)
+    sizes = sizes[sizes > 0.25]
+    expected = final_size_mean(2.0, 300, law, seeds, 4.0)
+    assert sizes.mean() == pytest.approx(expected, abs=4 * sizes.std() / sizes.size**0.5)
+
+
+def test_share_of_the_others_who_are_near():
+    rng = np.random.default_rng(1)
+    apart = np.abs(rng.random((200_000, 2)) - rng.random((200_000, 2))) * [3.0, 2.0]
+    for radius in (0.3, 2.0):
+        share = share_within(radius, 3.0, 2.0)
+        near = (np.hypot(*apart.T) < radius).mean()
+        assert near == pytest.approx(share, abs=4 * (share * (1 - share) / 200_000) ** 0.5)
+    assert share_within(0.01, 3.0, 2.0) == pytest.approx(
+        well_mixed_reproduction(1.0, 1 / 6, 0.01, 1.0), rel=0.01
+    )
+    with pytest.raises(ValueError, match="shorter side"):
+        share_within(2.1, 3.0, 2.0)

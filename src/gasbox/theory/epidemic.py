@@ -22,8 +22,10 @@ __all__ = [
     "extinction_probability",
     "final_size",
     "final_size_deviation",
+    "final_size_mean",
     "herd_threshold",
     "peak_infected",
+    "share_within",
     "well_mixed_reproduction",
 ]
 
@@ -44,6 +46,26 @@ def well_mixed_reproduction(rate: float, density: float, radius: float, duration
     duration : mean infectious time, in the unit of time of the rate
     """
     return rate * density * math.pi * radius**2 * duration
+
+
+def share_within(radius: float, width: float, height: float) -> float:
+    """Part of the others who are within a radius, between walls: who stands at a wall has fewer nearby.
+
+    The probability that two points, placed evenly in a rectangle, are not farther apart. R0 of n people who mix between
+    walls is (n - 1) times this times rate times duration.
+
+    Parameters
+    ----------
+    radius : [length], not above the shorter side
+    width, height : [length]
+    """
+    if radius > min(width, height):
+        raise ValueError(
+            f"the radius is {radius:g}; it must not be above the shorter side, {min(width, height):g}"
+        )
+    area = width * height
+    # Of all vectors up to the radius, the mean of (width - |x|)(height - |y|).
+    return (math.pi * radius**2 * area - 4.0 / 3.0 * radius**3 * (width + height) + 0.5 * radius**4) / area**2
 
 
 def contact_reproduction(probability: float, collisions: float, duration: float) -> float:
@@ -105,6 +127,34 @@ def final_size_deviation(r0: float, people: int, variation: float = 1.0) -> floa
     z = final_size(r0)
     spread = z * (1.0 - z) * (1.0 + (variation * r0) ** 2 * (1.0 - z))
     return math.sqrt(spread / people) / (1.0 - (1.0 - z) * r0)
+
+
+def final_size_mean(r0: float, people: int, law: Law, seeds: int = 1, shape: float = 1.0) -> float:
+    """Mean part of the people who are infected in a major outbreak, seeds not counted, to the order 1/people.
+
+    After k infections with the infectious times D (over their mean), each of those who are left has escaped with the
+    probability exp(-R0/people sum D). So those who are left, over E exp(-R0 D/people) to the power of all who were
+    infectious, are a martingale: its mean in the end is `people`, as at the start. The logarithm, to the second order
+    about the final size of the largest crowds, gives the mean; what small outbreaks take of it is left to large ones.
+
+    Source: F. Ball, Adv. Appl. Probab. 18, 289 (1986), doi:10.2307/1427301, for the martingale.
+
+    Parameters
+    ----------
+    r0 : people infected by each in a large crowd, above 1; each of `people` by R0/people
+    people : susceptible people at the start, many
+    law : of the infectious time; `shape` of a gamma distribution
+    seeds : infectious people at the start besides, few
+    """
+    z, squared = final_size(r0), {"fixed": 0.0, "exponential": 1.0, "gamma": 1.0 / shape}[law]
+    q = extinction_probability(r0, law, 1, shape)
+    # Of small outbreaks: each infects so many on the average who infect no endless chain.
+    k = 1.0 if law == "exponential" else shape
+    few = r0 * (q if law == "fixed" else (1.0 + r0 * (1.0 - q) / k) ** (-k - 1.0))
+    small = q**seeds / (1.0 - q**seeds) * seeds * ((r0 - 1.0) * few / (1.0 - few) + r0)
+    slope = 1.0 - r0 * (1.0 - z)
+    spread = (slope**2 - 1.0) * (final_size_deviation(r0, people, math.sqrt(squared)) / (1.0 - z)) ** 2 / 2.0
+    return z + (1.0 - z) / slope * (spread + (r0 * seeds - r0**2 * squared * z / 2.0 + small) / people)
 
 
 def extinction_probability(r0: float, law: Law, seeds: int = 1, shape: float = 1.0) -> float:
