@@ -1,8 +1,7 @@
 """Scenarios of people, for tests."""
 
-from gasbox.scenario import parse
+from gasbox.scenario import STAGES, parse
 
-STAGES = ("susceptible", "exposed", "infectious", "asymptomatic", "recovered", "dead", "vaccinated")
 BUSY = {
     "exposed": {"law": "gamma", "mean": 1, "shape": 3},
     "infectious": {"law": "gamma", "mean": 3},
@@ -70,10 +69,3 @@ def discs(**more):
             **more,
         }
     )
-
-
-def bits(simulation):
-    """All of a run that must not depend on how it was looked at."""
-    state, memory = simulation.state, simulation.frame_view().memory
-    kept = {name: value.tobytes() if hasattr(value, "tobytes") else value for name, value in memory.items()}
-    return state.time, state.species.tobytes(), state.position.tobytes(), state.velocity.tobytes(), kept

@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from run_bits import bits
 
 from gasbox.errors import UsageError
 from gasbox.geometry import Gate, Passage
@@ -45,12 +46,6 @@ def scenario(kind="event-driven", upwards=True, **world):
             "seed": 3,
         }
     )
-
-
-def bits(simulation):
-    state, world = simulation.state, simulation.world
-    numbers = [np.asarray(value).tobytes() for value in world.memory().values()]
-    return state.time, state.position.tobytes(), state.velocity.tobytes(), numbers
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -4,10 +4,10 @@ import json
 
 import numpy as np
 import pytest
-from epidemic_towns import STAGES, discs, town, world
+from epidemic_towns import discs, town, world
 
 from gasbox.errors import ScenarioError, UsageError
-from gasbox.scenario import load, parse, places_of, shipped
+from gasbox.scenario import STAGES, load, parse, places_of, shipped
 from gasbox.scenario.epidemic import Epidemic
 from gasbox.scenario.epidemic_settings import SETTINGS
 from gasbox.simulation import Simulation

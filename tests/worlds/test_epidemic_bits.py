@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from epidemic_towns import bits, discs, town
+from epidemic_towns import discs, town
+from run_bits import bits
 
 from gasbox.recording import Recorder, open_recording
 from gasbox.scenario import ScheduledChange, parse

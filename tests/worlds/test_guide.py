@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from run_bits import bits
 
 from gasbox.errors import ScenarioError, UsageError
 from gasbox.recording import Recorder, open_recording
@@ -110,19 +111,6 @@ def scenario(kind, **more):
             "seed": 3,
             **more,
         }
-    )
-
-
-def bits(simulation):
-    state = simulation.state
-    walls = state.wall_displacement.tobytes()
-    return (
-        state.time,
-        state.id.tobytes(),
-        state.species.tobytes(),
-        state.position.tobytes(),
-        state.velocity.tobytes(),
-        walls,
     )
 
 

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from run_bits import bits
 
 from gasbox.errors import UsageError
 from gasbox.scenario import ScheduledChange, load, parse
@@ -46,12 +47,6 @@ def play(simulation, position, velocity):
     assert world.view()["phase"] == "play"
     change = SetParticles(np.array([world.met.ball]), np.array([position]), np.array([velocity]))
     simulation._guide._follow([change])
-
-
-def bits(simulation):
-    state = simulation.state
-    arrays = (state.id, state.position, state.velocity, state.wall_displacement)
-    return state.time, [array.tobytes() for array in arrays], repr(simulation.world.summary())
 
 
 def test_idle_bats_let_balls_through_and_keep_the_gas():
