@@ -47,7 +47,8 @@ def test_one_that_is_served_makes_room_for_itself(place):
     assert ways[1:].max() < 1.0
     assert np.array_equal(state.velocity, velocity)
     assert here.holds(state.position, 0.5 * state.radius).all()
-    assert energy(simulation) == pytest.approx(before, abs=40.0)
+    # Sixty serves, here and elsewhere in four liquids, cost 8.1 in the mean, with a standard deviation of 4.9.
+    assert energy(simulation) - before == pytest.approx(8.1, abs=4 * 4.9)
     assert np.hypot(*simulation.dynamics.forces(state)[0]) <= 60.0
     simulation.advance(until=6.0)
     assert simulation.temperature() == pytest.approx(1.0, rel=0.25)
