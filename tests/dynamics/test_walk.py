@@ -7,6 +7,7 @@ from gasbox.protocols import Dynamics, Led
 from gasbox.scenario import parse
 from gasbox.simulation import Simulation
 from gasbox.state import RemoveParticles, SetWalkers
+from gasbox.theory.epidemic import share_within
 
 
 def crowd(people=2000, width=1e4, periodic=(), seed=1, **dynamics):
@@ -27,7 +28,11 @@ def test_is_a_dynamics_that_is_led():
 
 
 def test_direction_is_forgotten_and_distance_grows():
-    """<cos> = exp(-D t) and <r^2> = 2 (v/D)^2 (D t - 1 + exp(-D t)), as of any persistent walk."""
+    """<cos> = exp(-D t); <r^2> is that of n straight steps of length a, each turned by a mean cosine c from the last.
+
+    It is a^2 (n (1 + c)/(1 - c) - 2 c (1 - c^n)/(1 - c)^2): for short steps 2 (v/D)^2 (D t - 1 + exp(-D t)), as of any
+    persistent walk.
+    """
     simulation = Simulation(crowd())
     start, heading = simulation.state.position.copy(), simulation.state.velocity.copy()
     for t in (0.5, 2.0, 6.0):
@@ -35,9 +40,9 @@ def test_direction_is_forgotten_and_distance_grows():
         cosine = (simulation.state.velocity * heading).sum(axis=1) / 4.0
         assert cosine.mean() == pytest.approx(np.exp(-0.7 * t), abs=4 * cosine.std() / 2000**0.5)
         square = ((simulation.state.position - start) ** 2).sum(axis=1)
-        expected = 2 * (2.0 / 0.7) ** 2 * (0.7 * t - 1 + np.exp(-0.7 * t))
-        # Within a step one walks straight: that lengthens the way a little.
-        assert square.mean() == pytest.approx(expected, rel=0.02, abs=4 * square.std() / 2000**0.5)
+        n, c = round(t / 0.05), np.exp(-0.7 * 0.05)
+        expected = 0.1**2 * (n * (1 + c) / (1 - c) - 2 * c * (1 - c**n) / (1 - c) ** 2)
+        assert square.mean() == pytest.approx(expected, abs=4 * square.std() / 2000**0.5)
     assert np.allclose(np.hypot(*simulation.state.velocity.T), 2.0)
 
 
@@ -69,18 +74,38 @@ def neighbours(simulation, distance):
     return ((apart**2).sum(axis=2) < distance**2).sum() - simulation.state.count
 
 
+def keep_apart(simulation, strength):
+    ids = simulation.state.id
+    simulation.dynamics.lead(simulation.state, SetWalkers(ids, distancing=np.full(ids.size, strength)))
+
+
 def test_who_keeps_a_distance_has_fewer_nearby():
-    near = []
-    for strength in (0.0, 4.0):
-        simulation = Simulation(crowd(100, 10.0, reach=1.2, speed=1.0))
-        ids = simulation.state.id
-        simulation.dynamics.lead(simulation.state, SetWalkers(ids, distancing=np.full(100, strength)))
-        found = 0
-        for _ in range(20):
-            simulation.advance(until=simulation.time + 1.0)
-            found += neighbours(simulation, 0.7)
-        near.append(found)
-    assert near[1] < 0.35 * near[0]
+    found = np.zeros((2, 8))
+    for seed in range(8):
+        for row, strength in enumerate((0.0, 4.0)):
+            simulation = Simulation(crowd(100, 10.0, seed=seed, reach=1.2, speed=1.0))
+            keep_apart(simulation, strength)
+            for _ in range(20):
+                simulation.advance(until=simulation.time + 1.0)
+                found[row, seed] += neighbours(simulation, 0.7) / 20
+    free, apart = found.mean(axis=1)
+    errors = found.std(axis=1, ddof=1) / 8**0.5
+    assert free == pytest.approx(100 * 99 * share_within(0.7, 10.0, 10.0), abs=4 * errors[0])
+    assert free - apart > 4 * np.hypot(*errors)
+
+
+def test_two_alone_never_come_nearer_than_where_the_push_is_their_speed():
+    """Each is pushed by strength v (1 - d/reach): that is v at d = reach (1 - 1/strength), here 0.9."""
+    simulation = Simulation(crowd(2, 4.0, ("x", "y"), reach=1.2, speed=1.0))
+    simulation.state.position[:] = [[1.0, 2.0], [3.0, 2.0]]
+    simulation.dynamics.resync(simulation.state)
+    keep_apart(simulation, 4.0)
+    gaps = []
+    for _ in range(2000):
+        simulation.advance(until=simulation.time + 0.05)
+        way = np.subtract(*simulation.state.position)
+        gaps.append(np.hypot(*(way - 4.0 * np.round(way / 4.0))))
+    assert 0.9 * (1 - 1e-9) < min(gaps) < 1.2
 
 
 def test_walkers_go_where_they_are_sent():

@@ -175,11 +175,12 @@ def test_a_slow_ball_is_driven_on_and_a_lost_one_served_again():
 
 def test_the_computer_plays_the_better_the_higher_its_level():
     points = np.zeros(2)
-    for seed in range(3):
+    for seed in range(4):
         simulation = game(players=("easy", "hard"), seed=seed, points=99)
-        simulation.advance(until=45.0)
+        simulation.advance(until=70.0)
         points += simulation.world.summary()["score"]
-    assert points[1] >= points[0] + 4
+    # If both were as good, each of n points would be anybody's: the difference would have the variance n.
+    assert points[1] - points[0] > 3 * points.sum() ** 0.5
 
 
 def test_bricks_go_when_the_ball_hits_them():
