@@ -216,6 +216,7 @@ def test_looking_changes_nothing_and_a_snapshot_goes_on(variant, tmp_path):
         pieces.advance(until=time)
     pieces.save(tmp_path / "now.json")
     later = Simulation.restore(tmp_path / "now.json")
+    assert bits(later) == bits(pieces)
     later.advance(until=6.0)
     pieces.advance(until=6.0)
     assert bits(later) == bits(pieces) == bits(whole)
