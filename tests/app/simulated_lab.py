@@ -11,6 +11,7 @@ from nicegui.elements.upload_files import SmallFileUpload
 from nicegui.testing import User
 
 from gasbox.app.page import Page
+from gasbox.state import SetWorld
 
 WIDE = {"shape": "rectangle", "width": 200, "height": 150, "periodic": ["x", "y"]}
 
@@ -47,6 +48,33 @@ class Lab:
         while not condition():
             assert asyncio.get_running_loop().time() < end, "it did not come true"
             await asyncio.sleep(0.02)
+
+
+def asked(lab: Lab) -> list[SetWorld]:
+    """What was asked of the world so far."""
+    return [change for _, change in lab.session.show.simulation.changes if isinstance(change, SetWorld)]
+
+
+class Watched:
+    """A control and all values that it shows from now on."""
+
+    def __init__(self, control: Any) -> None:
+        self.control = control
+        self.shown: list[Any] = []
+        control.on_value_change(lambda event: self.shown.append(event.value))
+
+
+async def keeps_what_is_chosen(lab: Lab, marker: str, value: Any) -> None:
+    """A hand sets a control: news from before that must not move it back, nor may anything later."""
+    before = lab.session.sample()
+    watched = Watched(lab.one(marker))
+    watched.control.set_value(value)
+    for _ in range(3):
+        lab.page.world.panel.show(before)
+    later = lab.session.sample
+    await lab.until(lambda: later() is not before and asked(lab))
+    await asyncio.sleep(1.0)  # longer than the patience of a control
+    assert watched.shown == [value]
 
 
 def bars(lab: Lab, species: int) -> list[list[float]]:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
-from simulated_lab import Lab
+from simulated_lab import Lab, asked, keeps_what_is_chosen
 from test_page_studies import loaded
 
 from gasbox.app.wall_controls import walls_with_controls
@@ -17,10 +18,6 @@ from gasbox.geometry import Enclosure
 from gasbox.scenario import Scenario, load
 from gasbox.state import SetWorld
 from gasbox.worlds import MaxwellsDemon
-
-
-def asked(lab: Lab) -> list[SetWorld]:
-    return [change for _, change in lab.session.show.simulation.changes if isinstance(change, SetWorld)]
 
 
 async def opened(lab: Lab, name: str = "demon-sorting") -> MaxwellsDemon:
@@ -62,6 +59,40 @@ async def test_what_is_chosen_is_set(lab: Lab) -> None:
     await lab.until(lambda: asked(lab) == wanted)
     await lab.until(lambda: lab.one("demon-says").text == "fast to the left, slow to the right")
     assert demon.view()["threshold"] == 1.5
+
+
+@pytest.mark.parametrize(
+    ("name", "marker", "value"),
+    [
+        ("demon-sorting", "demon-rule", "speed"),
+        ("demon-sorting", "demon-species", "blue"),
+        ("maxwells-demon", "demon-threshold", 1.5),
+    ],
+)
+async def test_what_is_chosen_stays(lab: Lab, name: str, marker: str, value: Any) -> None:
+    await opened(lab, name)
+    await keeps_what_is_chosen(lab, marker, value)
+    assert len(asked(lab)) == 1
+
+
+async def test_what_others_set_is_shown_at_once(lab: Lab) -> None:
+    """A hand on one control does not hold the others."""
+    await opened(lab)
+    demon: Any = lab.session.show.simulation.world
+    panel: Any = lab.page.world.panel
+    lab.one("demon-rule").set_value("speed")
+    demon.take(SetWorld("species", "blue"))
+    before: Any = lab.session.sample()
+    panel.show(replace(before, world={**before.world, "species": "blue"}))
+    assert (lab.one("demon-species").value, lab.one("demon-rule").value) == ("blue", "speed")
+
+
+async def test_turned_twice_is_as_before(lab: Lab) -> None:
+    demon = await opened(lab)
+    for _ in range(2):
+        lab.click("demon-reversed")
+    await lab.until(lambda: len(asked(lab)) == 2)
+    assert not demon.view()["reversed"]
 
 
 async def test_only_what_belongs_to_the_rule_is_seen(lab: Lab) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from free_flight import FreeFlight
-from simulated_lab import Lab
+from simulated_lab import Lab, asked, keeps_what_is_chosen
 from surroundings import sample, walled
 from test_page_studies import loaded
 
@@ -33,10 +33,6 @@ class Player:
 
 def table(**choices: Any) -> Scenario:
     return parse(pong_table(**choices))
-
-
-def asked(lab: Lab) -> list[SetWorld]:
-    return [change for _, change in lab.session.show.simulation.changes if isinstance(change, SetWorld)]
 
 
 async def opened(lab: Lab, **choices: Any) -> None:
@@ -80,7 +76,15 @@ async def test_what_is_chosen_is_set(lab: Lab) -> None:
         SetWorld("restart", True),
     ]
     await lab.until(lambda: asked(lab) == wanted)
-    await lab.until(lambda: lab.one("pong-right").value == "hard")
+
+
+@pytest.mark.parametrize(
+    ("marker", "value"), [("pong-right", "hard"), ("pong-points", 11), ("pong-ball_speed", 60.0)]
+)
+async def test_what_is_chosen_stays(lab: Lab, marker: str, value: Any) -> None:
+    await opened(lab)
+    await keeps_what_is_chosen(lab, marker, value)
+    assert len(asked(lab)) == 1
 
 
 async def test_serve_only_before_a_serve(lab: Lab) -> None:

@@ -22,15 +22,14 @@ class Asked:
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
-        self._value: float | None = None
+        self._value: object = None
         self._until = 0.0
 
-    def ask(self, value: float | None) -> None:
+    def ask(self, value: object) -> None:
         """A value is wanted from now on."""
         self._value, self._until = value, self._clock() + _PATIENCE
 
-    def is_old(self, value: float | None) -> bool:
+    def is_old(self, value: object) -> bool:
         """Whether the gas has this value only because the wish is still on its way."""
-        if value == self._value:
-            self._until = 0.0
-        return self._clock() < self._until
+        # The same value may be from before the last wishes: only time tells that none is left on its way.
+        return value != self._value and self._clock() < self._until

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from typing import Any, Final, Literal
 
 from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
+from gasbox.app.asked import Asked
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
 from gasbox.app.study_chart import StudyChart
@@ -27,8 +29,6 @@ _RULES: Final = {
 _TO: Final = {"left": "to the left", "right": "to the right", "below": "down", "above": "up"}
 _ENDS: Final = (0.2, 2.5)
 """Of the slider, in units of the threshold at the start."""
-_REST: Final = 5
-"""Samples after a choice in which no control is set from outside."""
 
 
 def meaning(view: dict[str, Any]) -> str:
@@ -46,6 +46,11 @@ def meaning(view: dict[str, Any]) -> str:
     return "everybody passes: nothing is decided"
 
 
+def _told(value: Any) -> Any:
+    """As a control tells it: of a number no more digits than a slider has."""
+    return round(value, 6) if isinstance(value, float) else value
+
+
 class DemonPanel:
     """By what it decides, its threshold or species, and the other way round; charts in the element `charts`."""
 
@@ -55,7 +60,7 @@ class DemonPanel:
         self._send = send
         self._kinds = [kind.name for kind in session.scenario.kinds]
         self._showing = False
-        self._rest = 0
+        self._asked: defaultdict[str, Asked] = defaultdict(Asked)
         self._version = -1
         self._usual: float | None = None
         with ui.element("div").classes("demon"):
@@ -117,16 +122,12 @@ class DemonPanel:
             self._usual = float(view["threshold"])
             low, high = (end * self._usual for end in _ENDS)
             self._slider.props(f"min={low:.4g} max={high:.4g} step={self._usual / 50:.3g}")
-        self._reversed = bool(view["reversed"])
-        values = (
-            (self._rule, view["rule"]),
-            (self._slider, round(float(view["threshold"]), 6)),
-            (self._species, view["species"]),
-        )
-        # What a hand has just set is not put back by a sample from before.
-        self._rest = max(self._rest - 1, 0)
-        for control, value in values:
-            if not self._rest and control.value != value:
+        if not self._asked["reversed"].is_old(bool(view["reversed"])):
+            self._reversed = bool(view["reversed"])
+        controls = {"rule": self._rule, "threshold": self._slider, "species": self._species}
+        for name, control in controls.items():
+            value = _told(view[name])
+            if control.value != value and not self._asked[name].is_old(value):
                 control.set_value(value)
         self._reading.set_text(number(float(view["threshold"])))
         self._says.set_text(meaning(view))
@@ -136,8 +137,10 @@ class DemonPanel:
 
     def _chosen(self, name: str, event: ValueChangeEventArguments[Any]) -> None:
         if not self._showing and event.value is not None:
-            self._rest = _REST
+            self._asked[name].ask(_told(event.value))
             self._send(SetWorld(name, event.value))
 
     def _turn(self) -> None:
-        self._send(SetWorld("reversed", not self._reversed))
+        self._reversed = not self._reversed
+        self._asked["reversed"].ask(self._reversed)
+        self._send(SetWorld("reversed", self._reversed))

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from typing import Any, Final, Literal
 
 from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
+from gasbox.app.asked import Asked
 from gasbox.app.sample import Sample
 from gasbox.app.session import Session
 from gasbox.app.wording import number
@@ -42,6 +44,7 @@ class PongPanel:
         self._showing = False
         self._readings: dict[str, ui.label] = {}
         self._controls: dict[str, Any] = {}
+        self._asked: defaultdict[str, Asked] = defaultdict(Asked)
         with ui.element("div").classes("pong"):
             self._players("left", "Left")
             if world.right is not None:
@@ -112,7 +115,7 @@ class PongPanel:
         self._showing = True
         for name, control in self._controls.items():
             value = self._values.of(name, sample)
-            if value is None or value == self._shown.get(name):
+            if value is None or value == self._shown.get(name) or self._asked[name].is_old(value):
                 continue
             self._shown[name] = value
             if name == "points" and value not in control.options:
@@ -135,6 +138,7 @@ class PongPanel:
     def _chosen(self, name: str, event: ValueChangeEventArguments[Any]) -> None:
         if self._showing or event.value is None:
             return
+        self._asked[name].ask(event.value)
         self._shown[name] = event.value
         if name in self._readings:
             self._readings[name].set_text(number(float(event.value)))
