@@ -1,5 +1,6 @@
 // Colours of the box, from CSS variables, so that a page or a style sheet can set them:
-// --gasbox-box (inside), --gasbox-outside, --gasbox-wall, --gasbox-obstacle (edges), --gasbox-ring (followed particle), --gasbox-stick (in molecules), and
+// --gasbox-box (inside), --gasbox-outside, --gasbox-wall, --gasbox-obstacle (edges), --gasbox-ring (followed particle), --gasbox-stick (in molecules),
+// --gasbox-accent, -heat, -cool (of worlds), and
 // those of shades: --gasbox-gas, -liquid, -solid; --gasbox-neighbours-0 to -7; --gasbox-slow, -medium, -fast.
 // The three phases differ in brightness and between blue and orange, so that all kinds of eyes can tell them apart.
 // Light or dark follows the system, unless data-theme="light|dark" on <html> or NiceGUI's body--dark says otherwise.
@@ -9,11 +10,13 @@ const LIGHT =
   "--gasbox-box:#ffffff;--gasbox-outside:#f2f4f7;--gasbox-wall:#3d4756;--gasbox-obstacle:#3d4756;--gasbox-ring:#111827;--gasbox-stick:#333d4d;" +
   "--gasbox-gas:#e69500;--gasbox-liquid:#3d9be9;--gasbox-solid:#35297a;" +
   neighbours("#dcc31c #9ccb35 #4fba68 #21a084 #29788e #365a8c #45317c #c01f5a") +
+  "--gasbox-accent:#2457d6;--gasbox-heat:#c2410c;--gasbox-cool:#0369a1;" +
   "--gasbox-slow:#2c3a94;--gasbox-medium:#c2468a;--gasbox-fast:#f5a300;";
 const DARK =
   "--gasbox-box:#12161d;--gasbox-outside:#0b0e13;--gasbox-wall:#a9b4c4;--gasbox-obstacle:#a9b4c4;--gasbox-ring:#ffffff;--gasbox-stick:#e8edf4;" +
   "--gasbox-gas:#ffab3d;--gasbox-liquid:#2f8fe8;--gasbox-solid:#e4defc;" +
   neighbours("#6a5bc4 #4d76b8 #2f93a0 #21a886 #4fc36b #9fda3c #f5e12d #ff6c95") +
+  "--gasbox-accent:#86a9ff;--gasbox-heat:#ff9a5c;--gasbox-cool:#6cc4f5;" +
   "--gasbox-slow:#5263e8;--gasbox-medium:#d3579d;--gasbox-fast:#ffd061;";
 const STYLE = `
 :where(:root){${LIGHT}}
@@ -55,6 +58,9 @@ export function readTheme(element) {
     wall: read("wall") || "#3d4756",
     obstacle: read("obstacle") || "#3d4756",
     ring: read("ring") || "#111827",
+    accent: read("accent") || "#2457d6",
+    heat: read("heat") || "#c2410c",
+    cool: read("cool") || "#0369a1",
     bond: mix(box, parse(read("obstacle"), [61, 71, 86]), 0.7),
     stick: parse(read("stick"), [51, 61, 77]),
     shade: (name) => parse(read(name)),

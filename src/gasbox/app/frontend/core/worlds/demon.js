@@ -2,11 +2,11 @@
 // described in Python (worlds: demon).
 import { extent } from "../outline.js";
 import { warmth } from "../walls.js";
+import { label } from "./ink.js";
 
-const FAMILY = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif';
 const FLASH = 450; // ms that the gate shows whom it let pass
 const TINT = 0.13;
-const COLORS = { speed: "--heat", species: "--accent", direction: "--cool" };
+const COLORS = { speed: "heat", species: "accent", direction: "cool" }; // of the theme, for each rule
 
 export class DemonWorld {
   constructor(lab) {
@@ -73,7 +73,7 @@ export class DemonWorld {
     const { rule } = this.view;
     if (rule === "none") return;
     const open = this.until.some((end) => end > performance.now());
-    context.strokeStyle = rule in COLORS ? colorOf(COLORS[rule], theme.obstacle) : theme.obstacle;
+    context.strokeStyle = theme[COLORS[rule]] ?? theme.obstacle;
     context.lineWidth = 4 * view.ratio;
     context.lineCap = "round";
     context.globalAlpha = open ? 0.45 : 0.9;
@@ -101,7 +101,7 @@ export class DemonWorld {
       const [cx, cy] = upright ? [px, py + off] : [px + off, py];
       context.globalAlpha = Math.min(1, 1.4 * share);
       context.lineCap = context.lineJoin = "round";
-      for (const [color, width] of [[`rgb(${theme.box})`, 7], [colorOf(COLORS[this.view.rule], theme.ring), 3.5]]) {
+      for (const [color, width] of [[`rgb(${theme.box})`, 7], [theme[COLORS[this.view.rule]] ?? theme.ring, 3.5]]) {
         context.strokeStyle = color;
         context.lineWidth = width * view.ratio;
         context.beginPath();
@@ -125,14 +125,14 @@ export class DemonWorld {
       const side = this.view[this.view.sides[k]];
       if (!side) return;
       const [x, y] = view.toCanvas((left + right) / 2, top);
-      const color = side.discs ? ink(warmth((side.temperature / this.mean) ** 3, 1), theme) : theme.ring;
+      const color = side.discs ? legible(warmth((side.temperature / this.mean) ** 3, 1), theme) : theme.ring;
       const shown = side.discs ? `T = ${side.temperature.toPrecision(3)}` : "nobody";
-      plate(context, scene, [[shown, 700, color]], x, y + 1.3 * size, size);
+      label(context, theme, shown, x, y + 1.3 * size, { size, weight: 700, color });
     });
     if (!(this.view.rule in COLORS)) return;
     const [middle, bottom] = view.toCanvas(...this.foot(halves));
     const bits = this.view.decisions;
-    plate(context, scene, [[`${bits} ${bits === 1 ? "bit" : "bits"}`, 600, theme.ring]], middle, bottom - 1.1 * size, 0.9 * size);
+    label(context, theme, `${bits} ${bits === 1 ? "bit" : "bits"}`, middle, bottom - 1.1 * size, { size: 0.9 * size });
   }
 
   // Below the gate, at the edge of the box.
@@ -141,31 +141,9 @@ export class DemonWorld {
   }
 }
 
-function plate(context, { view, theme }, words, x, y, size) {
-  context.textAlign = "center";
-  context.textBaseline = "middle";
-  for (const [text, weight, color] of words) {
-    context.font = `${weight} ${Math.round(size)}px ${FAMILY}`;
-    const wide = context.measureText(text).width + 0.9 * size;
-    context.globalAlpha = 0.85;
-    context.fillStyle = `rgb(${theme.box})`;
-    context.beginPath();
-    context.roundRect(x - wide / 2, y - 0.8 * size, wide, 1.6 * size, 0.4 * size);
-    context.fill();
-    context.globalAlpha = 1;
-    context.fillStyle = color;
-    context.fillText(text, x, y + 0.05 * size);
-  }
-}
-
 // A colour of warmth that can be read on the box: half-way to the ink.
-function ink([r, g, b], theme) {
+function legible([r, g, b], theme) {
   const dark = theme.box[0] < 128;
   const toward = dark ? 255 : 0;
   return `rgb(${[r, g, b].map((part) => Math.round(part + (dark ? 0.5 : 0.25) * (toward - part)))})`;
-}
-
-function colorOf(name, otherwise) {
-  if (!name) return otherwise;
-  return getComputedStyle(document.body).getPropertyValue(name).trim() || otherwise;
 }

@@ -1,5 +1,7 @@
 // An epidemic over the people who walk about: rooms, quarantine, central places, rings where somebody was just infected,
 // how far an infection reaches, and the day. The view is described in Python (worlds: epidemic).
+import { extent } from "../outline.js";
+import { label, measure } from "./ink.js";
 
 const RING = 0.6; // days that a ring is seen
 const RING_SIZE = [3, 15]; // CSS pixels, when it appears and when it is gone
@@ -7,6 +9,9 @@ const STEPS = 5; // shades of rings: those of one shade are drawn in one go
 const FEW = 300; // infectious people whose reach is shown; zoomed in, all
 const ZOOMED = 1.8;
 const LEAST_REACH = 3; // CSS pixels; a smaller circle shows nothing
+const SIZE = 12; // CSS pixels, of letters
+const EDGE = 8; // CSS pixels from the edge of what is seen to words
+const MARK = 36; // CSS pixels, in the upper corner: the letter of a run
 const SPREADING = ["infectious", "asymptomatic"];
 
 export class EpidemicWorld {
@@ -37,14 +42,25 @@ export class EpidemicWorld {
     context.setLineDash([2 * view.ratio, 3 * view.ratio]);
     for (const place of central ?? []) outline(context, view, place);
     if (!quarantine) return context.setLineDash([]);
-    context.strokeStyle = colorOf("--heat", theme.obstacle);
+    context.strokeStyle = theme.heat;
     context.lineWidth = 1.75 * view.ratio;
     context.setLineDash([6 * view.ratio, 4 * view.ratio]);
     outline(context, view, quarantine);
     context.setLineDash([]);
-    const [left, top] = view.toCanvas(quarantine[0], quarantine[3]);
-    const width = (quarantine[2] - quarantine[0]) * view.scale;
-    label(context, view, theme, "quarantine", left + width / 2, top + 4 * view.ratio, width, -24 * view.ratio);
+    this.name(context, view, theme, quarantine);
+  }
+
+  // In its room; where that is too narrow, upright over it, or under it if a mark in the corner leaves no room there.
+  name(context, view, theme, [left, bottom, right, top]) {
+    const size = SIZE * view.ratio;
+    const [width, height] = measure(context, "quarantine", size);
+    const [x, y] = view.toCanvas((left + right) / 2, top);
+    const near = 4 * view.ratio;
+    if (width <= (right - left) * view.scale) return label(context, theme, "quarantine", x, y + near + height / 2, { size });
+    const [, under] = view.toCanvas(left, bottom);
+    const over = y >= width + near + MARK * view.ratio || view.height - under < width + near;
+    const middle = over ? y - near - width / 2 : under + near + width / 2;
+    label(context, theme, "quarantine", x, middle, { size, upright: true });
   }
 
   // How far an infection reaches, faintly.
@@ -93,11 +109,22 @@ export class EpidemicWorld {
     context.globalAlpha = 1;
   }
 
-  // In the upper left corner of what is seen.
-  facts(context, { view, theme }) {
-    const { day, infected, over } = this.view;
-    const text = `day ${day.toFixed(1)} · ${infected.toLocaleString("en").replaceAll(",", "\u2009")} infected${over ? " · over" : ""}`;
-    label(context, view, theme, text, 8 * view.ratio, 8 * view.ratio, Infinity);
+  // Upper left: beside the box, one below the other; where there is no room, over it; else in it.
+  facts(context, { view, theme, table, frame }) {
+    const { day, infected, people, over } = this.view;
+    const [size, edge] = [SIZE * view.ratio, EDGE * view.ratio];
+    const said = [`day ${day.toFixed(1)}`, `${whole(infected)} infected`, ...(over ? ["over"] : [])];
+    const [left, , , top] = extent(table, frame);
+    const [x0, y0] = view.toCanvas(left, top);
+    const [widest, height] = measure(context, `${whole(people)} infected`, size);
+    const beside = x0 >= widest + 1.5 * edge;
+    const inside = !beside && y0 < height + edge;
+    const x = beside ? edge : Math.max(edge, x0 + (inside ? edge / 2 : 0));
+    const y = inside ? Math.max(edge, y0 + edge / 2) : edge;
+    (beside ? said : [said.join(" · ")]).forEach((text, row) => {
+      const [width] = measure(context, text, size);
+      label(context, theme, text, x + width / 2, y + (row + 0.5) * height, { size });
+    });
   }
 }
 
@@ -106,30 +133,11 @@ function outline(context, view, [left, bottom, right, top]) {
   context.strokeRect(x, y, (right - left) * view.scale, (top - bottom) * view.scale);
 }
 
+function whole(number) {
+  return number.toLocaleString("en").replaceAll(",", "\u2009");
+}
+
 function circle(context, x, y, radius) {
   context.moveTo(x + radius, y);
   context.arc(x, y, radius, 0, 2 * Math.PI);
-}
-
-function colorOf(name, otherwise) {
-  return getComputedStyle(document.body).getPropertyValue(name).trim() || otherwise;
-}
-
-// Text on a ground of its own, so that it can be read over people. In the middle of so much room; if that is too little,
-// higher up. Where the room is endless, from the left.
-function label(context, view, theme, text, x, y, room, lift = 0) {
-  const size = 12 * view.ratio;
-  context.font = `600 ${size}px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif`;
-  context.textBaseline = "top";
-  const width = context.measureText(text).width + 0.9 * size;
-  if (width > room) y += lift;
-  const left = room < Infinity ? Math.min(x - width / 2, view.width - width) : x;
-  context.globalAlpha = 0.82;
-  context.fillStyle = `rgb(${theme.box})`;
-  context.beginPath();
-  context.roundRect(left, y, width, 1.6 * size, 0.5 * size);
-  context.fill();
-  context.globalAlpha = 1;
-  context.fillStyle = theme.ring;
-  context.fillText(text, left + 0.45 * size, y + 0.36 * size);
 }

@@ -1,6 +1,5 @@
 // What is written over the court: score, centre line, and what is to be done next.
-
-const FAMILY = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif';
+import { font, plate } from "./ink.js";
 
 // What the court says in the middle: [large, small] lines, or none.
 export function words({ view, time, paused, humans, touch }) {
@@ -80,7 +79,7 @@ function lines(pen, [large, small], x, y, share, plated = true) {
   const less = Math.max(0.62 * size, 10 * pen.view.ratio);
   const gap = small ? 1.15 * size : 0;
   const wide = Math.max(pen.width(large, size, 650), small ? pen.width(small, less, 500) : 0);
-  if (plated) pen.plate(x, y + 0.45 * gap, wide + 1.4 * size, gap + 1.7 * size);
+  if (plated) plate(pen.context, pen.theme, x, y + 0.45 * gap, wide + 1.4 * size, gap + 1.7 * size);
   pen.write(large, x, y, size, 650, 1);
   if (small) pen.write(small, x, y + gap, less, 500, 0.85);
 }
@@ -98,18 +97,14 @@ class Pen {
     return Math.max(share * this.court, 11 * this.view.ratio);
   }
 
-  font(size, weight) {
-    this.context.font = `${weight} ${Math.round(size)}px ${FAMILY}`;
-  }
-
   width(text, size, weight) {
-    this.font(size, weight);
+    this.context.font = font(size, weight);
     return this.context.measureText(text).width;
   }
 
   write(text, x, y, size, weight, alpha) {
     const { context, theme } = this;
-    this.font(size, weight);
+    context.font = font(size, weight);
     context.globalAlpha = 0.7;
     context.strokeStyle = `rgb(${theme.box})`;
     context.lineWidth = 0.12 * size;
@@ -117,14 +112,5 @@ class Pen {
     context.globalAlpha = alpha;
     context.fillStyle = theme.ring;
     context.fillText(text, x, y);
-  }
-
-  plate(x, y, width, height) {
-    const { context, theme } = this;
-    context.globalAlpha = 0.82;
-    context.fillStyle = `rgb(${theme.box})`;
-    context.beginPath();
-    context.roundRect(x - width / 2, y - height / 2, width, height, 0.25 * height);
-    context.fill();
   }
 }
