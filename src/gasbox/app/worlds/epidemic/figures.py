@@ -46,7 +46,9 @@ class Numbers:
     def __init__(self) -> None:
         self._values: dict[str, tuple[ui.label, ui.label]] = {}
         with (
-            ui.element("section").classes("card epidemic-numbers").props('aria-label="Numbers"') as self._root
+            ui.element("section")
+            .classes("card figures epidemic-numbers")
+            .props('aria-label="Numbers"') as self._root
         ):
             for name, hint in _HINTS.items():
                 with ui.element("div").classes(f"figure of-{name.replace(' ', '-')}") as figure:
