@@ -45,7 +45,7 @@ async def test_a_page_with_molecules(molecules: Lab) -> None:
     assert [sum(bar[1] for bar in bars(lab, kind)) for kind in range(3)] == [30, 100, 50]
     # The bars that level out are shown by themselves.
     assert next(iter(page.studies.charts)) == "degrees"
-    await lab.until(lambda: page.studies.charts["degrees"].shown)
+    await lab.until(lambda: page.studies.charts["degrees"].told)
     # What molecules alone have: angular velocities on both sides of zero.
     assert set(lab.one("quantity").options) >= {"speed", "angular-velocity", "rotational-energy"}
     lab.one("quantity").set_value("angular-velocity")

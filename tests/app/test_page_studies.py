@@ -28,7 +28,7 @@ async def test_a_plain_gas_has_histograms_only_until_somebody_wants_more(lab: La
     lab.one("show-centers").set_value(True)
     await lab.until(lambda: list(lab.page.studies.charts) == ["centers"])
     assert lab.session.charts == {"centers"}
-    await lab.until(lambda: lab.page.studies.charts["centers"].shown)
+    await lab.until(lambda: lab.page.studies.charts["centers"].told)
     lab.one("show-centers").set_value(False)
     assert not lab.page.studies.charts
     assert lab.session.charts == frozenset()

@@ -91,7 +91,7 @@ def layout(picture: Picture, description: str) -> dict[str, Any]:
             "itemWidth": 14,
             "itemHeight": 8,
             "itemGap": 10,
-            "textStyle": INK_TEXT,
+            "textStyle": {**INK_TEXT, "lineHeight": 14},
             "pageTextStyle": INK_TEXT,
             "pageIconSize": 10,
             "pageIconColor": "var(--muted)",

@@ -68,7 +68,9 @@ class DemonPanel:
         self._figures: dict[str, ui.label] = {}
         with charts:
             with (
-                ui.element("section").classes("card demon-books").props('aria-label="The books of the demon"')
+                ui.element("section")
+                .classes("card figures demon-books")
+                .props('aria-label="The books of the demon"')
             ):
                 for name, (title, hint) in BOOKS.items():
                     with ui.element("div").classes("figure") as figure:
@@ -84,7 +86,7 @@ class DemonPanel:
         self._rule = ui.toggle(dict(_RULES), on_change=lambda event: self._chosen("rule", event))
         self._rule.props('unelevated no-caps toggle-color=primary aria-label="By what the demon decides"')
         self._rule.mark("demon-rule")
-        with ui.element("div").classes("threshold") as self._speed:
+        with ui.element("div").classes("pace-of") as self._speed:
             with ui.element("div"):
                 ui.label("Fast is above").classes("word").style("display:inline")
                 self._reading = ui.label().classes("word number").style("display:inline;float:right")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from gasbox.app.study import INK, PALETTE, Axis, Picture, Trace
 from gasbox.app.wording import number, whole
+from gasbox.app.worlds.thinning import thinned
 from gasbox.units import UNIT
 
 __all__ = ["BOOKS", "PICTURES", "written"]
@@ -49,10 +50,9 @@ def written(view: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _thin(series: Series, name: str) -> NDArray[np.float64]:
-    """(n, 2) float64: time and a number of the series, not too many of them, the last always."""
-    time = series["time"]
-    step = max(-(-time.size // _MOST), 1)
-    return np.stack([time, series[name]], axis=1)[::-1][::step][::-1]
+    """(n, 2) float64: time and a number of the series, not too many of them."""
+    rows = thinned(series["time"].size, _MOST)
+    return np.stack([series["time"][rows], series[name][rows]], axis=1)
 
 
 def _sides(view: Mapping[str, Any], series: Series, what: str) -> list[Trace]:
@@ -98,7 +98,7 @@ def _entropy(view: Mapping[str, Any], series: Series) -> Picture | None:
 
 PICTURES: Final[Mapping[str, tuple[str, Callable[[Mapping[str, Any], Series], Picture | None]]]] = {
     "temperature": ("Temperature of both sides", _temperatures),
-    "entropy": ("Entropy of gas and memory", _entropy),
+    "entropy": ("Entropy of gas and bits", _entropy),
     "count": ("Discs on both sides", _counts),
 }
 """Name -> title, and what makes a picture of what the world shows and has counted."""

@@ -13,7 +13,7 @@ from gasbox.scenario import ScheduledChange
 from gasbox.state import Change, SetWorld
 from gasbox.theory.epidemic import final_size
 
-__all__ = ["INFECTED", "STAGES", "Course", "Mark", "chosen", "marks", "thinned"]
+__all__ = ["INFECTED", "STAGES", "Course", "Mark", "chosen", "marks"]
 
 STAGES: Final = ("infectious", "asymptomatic", "exposed", "susceptible", "vaccinated", "recovered", "dead")
 """Names of species that are stages of the disease, in the order in which they are stacked, from below."""
@@ -131,10 +131,3 @@ def chosen(changes: Sequence[tuple[float, Change]], schedule: Sequence[Scheduled
         for time, change in changes
         if isinstance(change, SetWorld) and (time, change) not in scheduled
     }
-
-
-def thinned(count: int, most: int = 240) -> NDArray[np.int64]:
-    """Indices of at most about so many of `count` rows, evenly chosen, and always the last."""
-    step = max(1, -(-count // most))
-    chosen = np.arange(0, count, step)
-    return chosen if not count or chosen[-1] == count - 1 else np.append(chosen, count - 1)

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gasbox.app.chart_options import FONT, INK_TEXT, axis_tip, plain_axis
-from gasbox.app.worlds.epidemic.course import STAGES, Course, Mark, thinned
+from gasbox.app.worlds.epidemic.course import STAGES, Course, Mark
+from gasbox.app.worlds.thinning import thinned
 
 __all__ = ["COLORS", "runs", "runs_now", "spread", "spread_now", "stages", "stages_now"]
 
