@@ -11,15 +11,13 @@ from numpy.typing import NDArray
 
 from gasbox.geometry import Enclosure, Geometry
 from gasbox.rng import Stream, generator
-from gasbox.scenario import EventDriven, Pong, Scenario
 from gasbox.state import ContactKind, Contacts, Memory, RemoveParticles, Reply, SetParticles, SetWorld, State
 from gasbox.worlds.pong import notes, wishes
-from gasbox.worlds.pong.bat import Bat
-from gasbox.worlds.pong.meetings import Meetings
 from gasbox.worlds.pong.player import SKILLS, choice
 from gasbox.worlds.pong.score import NOBODY, OVER, PLAY, SERVE, Score
 from gasbox.worlds.pong.spot import free_spot
-from gasbox.worlds.pong.table import LEFT, RIGHT, table_of
+from gasbox.worlds.pong.standing import Standing
+from gasbox.worlds.pong.table import LEFT, RIGHT
 
 __all__ = ["PongGame"]
 
@@ -35,7 +33,7 @@ _FIRM = 0.05
 """Of half the height of its bat: the computer does not mind less than that."""
 
 
-class PongGame:
+class PongGame(Standing):
     """A game of pong.
 
     Parameters
@@ -44,24 +42,6 @@ class PongGame:
     """
 
     reads_contacts = True
-
-    def __init__(self, scenario: Scenario) -> None:
-        game = scenario.world
-        assert isinstance(game, Pong)
-        self.game, self.seed = game, scenario.seed
-        self.table = table_of(scenario, game)
-        self.frame = scenario.frame_interval or self.table.width / game.ball_speed
-        # Between two frames, so that what was asked for at the last one is seen at the next one.
-        self.interval = 0.5 * self.frame if isinstance(scenario.dynamics, EventDriven) else self.frame
-        self.bats = [Bat(side) for side in self.table.sides]
-        self.players = [str(player) for player in (game.players.left, game.players.right)][: len(self.bats)]
-        self.points, self.ball_speed, self.paddle_speed = game.points, game.ball_speed, game.paddle_speed
-        self.score, self.met = Score(), Meetings()
-        self.looks = [0.0] * len(self.bats)
-        self.asked = {"serve": False, "restart": False}
-        self.spot = np.array(self.table.center)
-        self.bricks = 0
-        self.first_bricks = 0
 
     # -- the turns -------------------------------------------------------------------------------------
 

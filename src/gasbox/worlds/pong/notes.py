@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from gasbox.scenario.pong import PLAYERS
 from gasbox.state import Memory
 from gasbox.worlds.pong.score import NOBODY, PHASES, SERVE, SOUNDS, Score
+from gasbox.worlds.pong.standing import Standing
 from gasbox.worlds.pong.table import SIDES
-
-if TYPE_CHECKING:
-    from gasbox.worlds.pong.game import PongGame
 
 __all__ = ["memory", "recall", "summary", "view"]
 
 _SCORE = ("phase", "winner", "last", "to", "serves", "touches")
 
 
-def memory(game: PongGame) -> Memory:
+def memory(game: Standing) -> Memory:
     """Numbers and arrays from which `recall` makes the same game."""
     score, bats = game.score, game.bats
     targets = np.array([bat.target for bat in bats])
@@ -44,7 +42,7 @@ def memory(game: PongGame) -> Memory:
     }
 
 
-def recall(game: PongGame, memory: Memory) -> None:
+def recall(game: Standing, memory: Memory) -> None:
     """Make it the game that was remembered."""
     kept = {name: np.asarray(value) for name, value in memory.items()}
     game.met.ball = int(kept["ball"])
@@ -73,7 +71,7 @@ def _named(side: int) -> str | None:
     return None if side == NOBODY else SIDES[side]
 
 
-def summary(game: PongGame) -> dict[str, Any]:
+def summary(game: Standing) -> dict[str, Any]:
     """How the game stands, as JSON values."""
     score = game.score
     found: dict[str, Any] = {
@@ -90,12 +88,12 @@ def summary(game: PongGame) -> dict[str, Any]:
     return found
 
 
-def _players(game: PongGame) -> dict[str, str | None]:
+def _players(game: Standing) -> dict[str, str | None]:
     players = [*game.players, None]
     return {"left": players[0], "right": players[1]}
 
 
-def view(game: PongGame) -> dict[str, Any]:
+def view(game: Standing) -> dict[str, Any]:
     """As `summary`, with what does not change from frame to frame of the bats."""
     shown = summary(game)
     del shown["serves"]

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 from gasbox.errors import UsageError
 from gasbox.scenario import Pong
 from gasbox.state import SetWorld
+from gasbox.worlds.pong.standing import Standing
 from gasbox.worlds.pong.table import SIDES
-
-if TYPE_CHECKING:
-    from gasbox.worlds.pong.game import PongGame
 
 __all__ = ["take"]
 
 
-def take(game: PongGame, change: SetWorld) -> None:
+def take(game: Standing, change: SetWorld) -> None:
     """Give a setting another value; it acts at the next turn.
 
     Raises
@@ -42,7 +39,7 @@ def take(game: PongGame, change: SetWorld) -> None:
         setattr(game, name, float(value))
 
 
-def _tell(game: PongGame, number: int, what: str, value: float | str | bool) -> None:
+def _tell(game: Standing, number: int, what: str, value: float | str | bool) -> None:
     """Who plays on a side, or where its bat is to go; nobody tells the computer."""
     if number >= len(game.bats):
         raise UsageError(f"nobody plays on the {SIDES[number]}: there is no bat")
