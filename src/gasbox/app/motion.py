@@ -83,9 +83,10 @@ class Motion:
             missed = max(0.0, (begun - self._last) * FRAMES_PER_SECOND - ticks - 1) * self.speed * interval
             self._goal += asked
             self._advance(min(self._goal, limit), begun + BUDGET)
-            # What was only put off for another gas that runs in step is not given up at once.
-            spare = self._quantum if limit == math.inf else self._quantum + 2.0 * asked
-            behind = max(0.0, self._goal - self.simulation.time - spare)
+            # Less than a step cannot be made yet, and what was only put off for another gas that runs in step
+            # comes with the next ticks: neither is given up.
+            put_off = self._quantum if limit == math.inf else self._quantum + 2.0 * asked
+            behind = max(0.0, self._goal - self.simulation.time - put_off)
             self._goal -= behind
             self._account.add(begun, begun - self._last, self.simulation.time - start, behind + missed)
             self._last = begun

@@ -18,8 +18,8 @@ __all__ = ["Encore", "Home", "Partner", "Tandem"]
 
 _AHEAD: Final = 2.0
 """Ticks of simulated time by which one may be ahead of the other."""
-_NEAR: Final = 0.25 * FRAMES_PER_SECOND
-"""Ticks of simulated time that one makes up for when both stop."""
+_SLIP: Final = 0.25 * FRAMES_PER_SECOND
+"""Ticks of simulated time by which they may have slipped apart when both stop: the one behind makes up for it."""
 
 
 class Home(Protocol):
@@ -55,7 +55,7 @@ class Partner(Protocol):
 
 
 class Encore:
-    """A partner by which a gas that begins anew gets the same settings again, at its start.
+    """A partner for a gas that is played again: when it begins anew it gets the same settings again, at its start.
 
     Attributes
     ----------
@@ -129,11 +129,11 @@ class Tandem:
         one, other = self.first.show.gas, self.second.show.gas
         if one is None or other is None:
             return
-        near = _NEAR * self.first.speed * one.frame_interval
-        if one.time < other.time <= one.time + near:
+        slip = _SLIP * self.first.speed * one.frame_interval
+        if one.time < other.time <= one.time + slip:
             goal = other.time
             self.first.ask(lambda: self.first.show.reach(goal))
-        elif other.time < one.time <= other.time + near:
+        elif other.time < one.time <= other.time + slip:
             self.second.show.reach(one.time)
 
     def begin_anew(self, simulation: Simulation) -> None:

@@ -22,10 +22,10 @@ __all__ = ["PongPanel"]
 
 _PLAYERS: Final = {"human": "You", "easy": "Easy", "medium": "Medium", "hard": "Hard"}
 _LENGTHS: Final = (1, 3, 5, 7, 11, 15, 21)
-_BEGINNING: Final = 120
-"""Frames within which a game has only begun."""
-_SPREAD: Final = 2.5
-"""The sliders of speeds go so many times below and above what the scenario says."""
+_FRESH_FRAMES: Final = 120
+"""So many frames old, a game has only begun."""
+_SLIDER_FACTOR: Final = 2.5
+"""Sliders of speeds go from what the scenario says over this to what it says times this."""
 
 
 class PongPanel:
@@ -67,8 +67,8 @@ class PongPanel:
                 ui.label(label).classes("word").style("display:inline")
                 self._readings[name] = ui.label().classes("word number").style("display:inline;float:right")
             slider = ui.slider(
-                min=usual / _SPREAD,
-                max=usual * _SPREAD,
+                min=usual / _SLIDER_FACTOR,
+                max=usual * _SLIDER_FACTOR,
                 step=usual / 50,
                 on_change=lambda event: self._chosen(name, event),
             )
@@ -132,7 +132,7 @@ class PongPanel:
         """A game in which somebody plays begins when that somebody says so."""
         if self._waits:
             self._waits = False
-            if sample.frame < _BEGINNING and "human" in sample.world.get("players", {}).values():
+            if sample.frame < _FRESH_FRAMES and "human" in sample.world.get("players", {}).values():
                 self._session.pause()
 
     def _chosen(self, name: str, event: ValueChangeEventArguments[Any]) -> None:

@@ -3,16 +3,33 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
 from gasbox.scenario.setting import Setting
 
-__all__ = ["GROUPS", "Dial", "Group", "dials"]
+__all__ = ["GROUPS", "Dial", "Group", "Label", "dials"]
 
-_MANY: Final = 100.0
-"""Where sliders of numbers of people end at first."""
+_CASES: Final = 100.0
+"""Where sliders of numbers of cases end at least."""
+_WIDEST: Final = 100.0
+"""Where sliders end that may go to the greatest value, if that is greater."""
+
+
+@dataclass(frozen=True)
+class Label:
+    """How a slider is called, and where it ends.
+
+    Attributes
+    ----------
+    top : its end at first; None: the greatest value
+    cases : whether it is a number of cases: whole, and ends at a part of all people
+    """
+
+    text: str
+    top: float | None = None
+    cases: bool = False
 
 
 @dataclass(frozen=True)
@@ -23,13 +40,13 @@ class Group:
     ----------
     measure : name in the world's ``active`` that says whether it has begun; empty of what always acts
     strength : setting that is 0 where the measure does nothing all the same; empty if there is none
-    labels : name of a setting -> what its slider is called, and where it ends at first; None at the greatest value
+    labels : name of a setting -> what its slider is called, and where it ends
     """
 
     title: str
     measure: str
     strength: str
-    labels: Mapping[str, tuple[str, float | None]]
+    labels: Mapping[str, Label]
 
 
 GROUPS: Final[tuple[Group, ...]] = (
@@ -38,14 +55,14 @@ GROUPS: Final[tuple[Group, ...]] = (
         "",
         "",
         {
-            "probability_per_day": ("infection rate", 1.0),
-            "probability": ("infection at contact", None),
-            "radius": ("infection radius", 0.0),
-            "exposed_days": ("exposed for", 14.0),
-            "infectious_days": ("infectious for", 20.0),
-            "symptomatic": ("with symptoms", None),
-            "asymptomatic_infectiousness": ("infectivity without", None),
-            "fatality": ("deaths among them", None),
+            "probability_per_day": Label("infection rate", 1.0),
+            "probability": Label("infection at contact"),
+            "radius": Label("infection radius", 0.0),
+            "exposed_days": Label("exposed for", 14.0),
+            "infectious_days": Label("infectious for", 20.0),
+            "symptomatic": Label("with symptoms"),
+            "asymptomatic_infectiousness": Label("infectivity without"),
+            "fatality": Label("deaths among them"),
         },
     ),
     Group(
@@ -53,10 +70,10 @@ GROUPS: Final[tuple[Group, ...]] = (
         "distancing",
         "distancing",
         {
-            "hygiene": ("risk left by hygiene", None),
-            "distancing": ("keeping distance", 4.0),
-            "distancing_fraction": ("who takes part", None),
-            "distancing_trigger": ("begins at cases", _MANY),
+            "hygiene": Label("risk left by hygiene"),
+            "distancing": Label("keeping distance", 4.0),
+            "distancing_fraction": Label("who takes part"),
+            "distancing_trigger": Label("begins at cases", cases=True),
         },
     ),
     Group(
@@ -64,9 +81,9 @@ GROUPS: Final[tuple[Group, ...]] = (
         "quarantine",
         "quarantine_probability",
         {
-            "quarantine_probability": ("cases that are found", None),
-            "quarantine_delay": ("found after", 10.0),
-            "quarantine_trigger": ("begins at cases", _MANY),
+            "quarantine_probability": Label("cases that are found"),
+            "quarantine_delay": Label("found after", 10.0),
+            "quarantine_trigger": Label("begins at cases", cases=True),
         },
     ),
     Group(
@@ -74,11 +91,11 @@ GROUPS: Final[tuple[Group, ...]] = (
         "travel",
         "",
         {
-            "travel_rate": ("journeys", 0.5),
-            "travel_restricted_to": ("restricted to", 0.5),
-            "travel_trigger": ("restricted at cases", _MANY),
-            "central_visits": ("visits to the centre", 2.0),
-            "central_stay": ("length of a visit", 2.0),
+            "travel_rate": Label("journeys", 0.5),
+            "travel_restricted_to": Label("restricted to", 0.5),
+            "travel_trigger": Label("restricted at cases", cases=True),
+            "central_visits": Label("visits to the centre", 2.0),
+            "central_stay": Label("length of a visit", 2.0),
         },
     ),
     Group(
@@ -86,8 +103,8 @@ GROUPS: Final[tuple[Group, ...]] = (
         "",
         "",
         {
-            "vaccination_per_day": ("vaccinated", 0.2),
-            "vaccination_efficacy": ("that protects", None),
+            "vaccination_per_day": Label("vaccinated", 0.2),
+            "vaccination_efficacy": Label("that protects"),
         },
     ),
 )
@@ -101,6 +118,7 @@ class Dial:
     Attributes
     ----------
     low, high : values at its ends
+    whole : whether its values are whole numbers
     steep : whether the value goes with the square of the place, so that small values have room
     """
 
@@ -110,6 +128,7 @@ class Dial:
     low: float
     high: float
     steep: bool
+    whole: bool = False
 
     @property
     def unit(self) -> str:
@@ -133,7 +152,7 @@ class Dial:
         """The value for a place of the slider, with no more digits than a hand can mean."""
         share = place * place if self.steep else place
         exact = self.low + share * (self.high - self.low)
-        if self.setting.unit == "" and self.high > 1.0 and self.low == 0.0 and self.high >= _MANY:
+        if self.whole:
             return float(round(exact))
         return max(self.setting.least, float(f"{exact:.2g}"))
 
@@ -152,7 +171,7 @@ def dials(
     found = [(group, _of_group(group, settings, values, people)) for group in GROUPS]
     known = {name for group in GROUPS for name in group.labels}
     rest = Group(
-        "More", "", "", {name: (name.replace("_", " "), None) for name in values if name not in known}
+        "More", "", "", {name: Label(name.replace("_", " ")) for name in values if name not in known}
     )
     found.append((rest, _of_group(rest, settings, values, people)))
     return [(group, mine) for group, mine in found if mine]
@@ -162,19 +181,21 @@ def _of_group(
     group: Group, settings: Mapping[str, Setting], values: Mapping[str, float], people: int
 ) -> list[Dial]:
     return [
-        _dial(name, label, top, settings[name], values[name], people)
-        for name, (label, top) in group.labels.items()
+        _dial(name, label, settings[name], values[name], people)
+        for name, label in group.labels.items()
         if name in values and name in settings
     ]
 
 
-def _dial(name: str, label: str, top: float | None, setting: Setting, value: float, people: int) -> Dial:
+def _dial(name: str, label: Label, setting: Setting, value: float, people: int) -> Dial:
     low = setting.least if setting.unit != "length" else 0.0
-    if top is None:
-        return Dial(name, label, setting, low, min(setting.greatest, 100.0), steep=False)
-    wanted: Iterable[float] = (top, _MANY, 0.1 * people) if top == _MANY else (top, 2.5 * value)
-    high = min(_rounded_up(max(wanted)), setting.greatest)
-    return Dial(name, label, setting, low, high, steep=name != "radius")
+    if label.cases:
+        high = min(_rounded_up(max(_CASES, 0.1 * people)), setting.greatest)
+        return Dial(name, label.text, setting, low, high, steep=True, whole=True)
+    if label.top is None:
+        return Dial(name, label.text, setting, low, min(setting.greatest, _WIDEST), steep=False)
+    high = min(_rounded_up(max(label.top, 2.5 * value)), setting.greatest)
+    return Dial(name, label.text, setting, low, high, steep=name != "radius")
 
 
 def _rounded_up(value: float) -> float:
