@@ -60,3 +60,35 @@ def assert_inked(image: Any, box: Any, x: float, y: float, reach: int = 3) -> No
     px, py = (int(part) for part in box.place(x, y))
     patch = image[max(py - reach, 0) : py + reach + 1, max(px - reach, 0) : px + reach + 1]
     assert np.abs(patch - np.array(LIGHT_BOX)).max() > 60, (x, y)
+
+
+WORDS = """() => new Promise((done) => {
+  const said = [];
+  const { prototype } = CanvasRenderingContext2D;
+  const write = prototype.fillText;
+  prototype.fillText = function (text, x, y) {
+    const wide = this.measureText(text).width;
+    const { a, b, c, d, e, f } = this.getTransform();
+    const ends = [-0.5, 0.5].map((part) => [a * part * wide + c * y + e, b * part * wide + d * y + f]);
+    said.push([text, ...ends[0], ...ends[1]]);
+    write.call(this, text, x, y);
+  };
+  lab.schedule();
+  requestAnimationFrame(() => requestAnimationFrame(() => {
+    prototype.fillText = write;
+    done([said, lab.view.width, lab.view.height]);
+  }));
+})"""
+
+
+@BOTH
+def test_words_are_not_cut_off_and_a_name_is_no_wider_than_its_room(show: Any, renderer: str) -> None:
+    box = show(renderer, epidemic(20), 20)
+    (words, width, height), view = box.page.evaluate(WORDS), box.session.show.simulation.world.view()
+    assert len(words) >= 2
+    for text, x0, y0, x1, y1 in words:
+        assert 0 <= min(x0, x1) <= max(x0, x1) <= width, text
+        assert 0 <= min(y0, y1) <= max(y0, y1) <= height, text
+    (x0, y0, x1, y1) = next(one[1:] for one in words if one[0] == "quarantine")
+    left, _, right, _ = (box.place(x, 0.0)[0] for x in view["quarantine"])
+    assert left - 1 <= min(x0, x1) <= max(x0, x1) <= right + 1
